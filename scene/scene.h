@@ -1,0 +1,160 @@
+#pragma once
+#include "scene/constraint_kinds.h"
+
+/// The scene document as plain data: what a file says, in metres and radians, with every name resolved.
+namespace inhabit::scene {
+
+/// A user's own `x-…` member, kept as JSON text.
+using Extras = std::vector<std::pair<std::string, std::string>>;
+
+struct Hole {
+  std::string id;
+  Ring outline;  ///< counter-clockwise as read
+  Extras extras;
+};
+
+/// An opening that people use. `from` is measured along the wall from its first corner.
+struct Door {
+  std::string id;
+  int wall = 0;
+  double from = 0, width = 0.9, height = 2.1;
+  enum class Swing { in, out, none } swing = Swing::in;
+  enum class Hinge { start, end } hinge = Hinge::start;  ///< which jamb the leaf turns on, along the wall
+  Extras extras;
+};
+
+struct Window {
+  std::string id;
+  int wall = 0;
+  double from = 0, width = 1, sill = 0.9, height = 1.2;
+  Extras extras;
+};
+
+/// The room: wall k joins corner k to corner k + 1 of the outline, which runs counter-clockwise.
+struct Space {
+  Ring outline;
+  std::vector<Hole> holes;
+  double height = 2.6;
+  std::vector<Door> doors;
+  std::vector<Window> windows;
+  Extras extras;
+
+  std::size_t walls() const { return outline.size(); }
+  Vec2 wall_start(std::size_t k) const { return outline[k]; }
+  Vec2 wall_end(std::size_t k) const { return outline[(k + 1) % outline.size()]; }
+};
+
+/// Free depth wanted in front of each face, metres.
+struct Clearance {
+  double front = 0, back = 0, left = 0, right = 0;
+  bool any() const { return front > 0 || back > 0 || left > 0 || right > 0; }
+};
+
+/// A cone from the centre of the front face that must stay free: `angle` is its full opening, radians.
+struct View {
+  double distance = 0, angle = 0;
+};
+
+enum class Mount { floor, wall, ceiling };
+/// What a user has pinned in the room; unlike `fixed` it is no property of the thing.
+enum class Lock { none, position, angle, both };
+
+struct Object {
+  std::string id, kind, name;
+  Vec3 size{0.5, 0.5, 0.5};       ///< width across the front, depth front to back, height
+  std::optional<Vec3> position;   ///< centre of the footprint, height of the base; absent: anywhere
+  std::optional<double> angle;    ///< where the front faces; absent: any
+  bool fixed = false;
+  Lock lock = Lock::none;
+  Clearance clearance;
+  std::optional<View> view;
+  Mount mount = Mount::floor;
+  Ref on;                         ///< what carries it
+  std::optional<double> mass;     ///< absent: the box's volume
+  std::string model;
+  Extras extras;
+};
+
+/// Members are pulled onto the segment, or the circular arc about `center` that runs counter-clockwise from start to end.
+struct Curve {
+  enum class Kind { segment, arc } kind = Kind::segment;
+  Vec2 start, end, center;
+  bool medial_axis = false;  ///< a segment without end points: the medial axis of the group's bounding box
+};
+
+/// Objects and groups that belong together; a particle of its own. In a rigid group the members' positions and angles give
+/// its shape, and the whole starts at random unless the group itself has a `position`.
+struct Group {
+  std::string id;
+  std::vector<Ref> members;
+  bool rigid = false;
+  std::optional<double> spacing;  ///< equal distance between neighbours along the curve
+  std::optional<Curve> curve;
+  std::optional<Vec2> position;
+  std::optional<double> angle;
+  Extras extras;
+};
+
+struct Speed {
+  double mean = 1.34, deviation = 0.26;
+};
+
+struct Population {
+  std::string id;
+  int count = 0;
+  Ring area;
+  std::optional<double> spacing;
+  double radius = 0.25, mass = 1;
+  Speed speed;
+  std::string goal;
+  Extras extras;
+};
+
+struct Source {
+  std::string id;
+  Ring area;
+  double rate = 1;  ///< people per second
+  double radius = 0.25, mass = 1;
+  Speed speed;
+  std::string goal;
+  Extras extras;
+};
+
+struct Goal {
+  std::string id;
+  Ring area;
+  Extras extras;
+};
+
+struct Crowd {
+  std::vector<Population> populations;
+  std::vector<Source> sources;
+  std::vector<Goal> goals;
+  Extras extras;
+  bool empty() const { return populations.empty() && sources.empty() && goals.empty() && extras.empty(); }
+};
+
+struct Scene {
+  std::string name;
+  Space space;
+  std::vector<Object> objects;
+  std::vector<Group> groups;
+  Constraints constraints;
+  Crowd crowd;
+  std::uint64_t seed = 1;
+  Extras extras;
+
+  /// The id of what a reference points at; "" for none.
+  const std::string& id_of(Ref ref) const {
+    static const std::string kNone;
+    switch (ref.kind) {
+      case Ref::Kind::object: return objects[ref.index].id;
+      case Ref::Kind::group: return groups[ref.index].id;
+      case Ref::Kind::door: return space.doors[ref.index].id;
+      case Ref::Kind::none: break;
+    }
+    return kNone;
+  }
+};
+
+}  // namespace inhabit::scene
