@@ -32,7 +32,7 @@ TEST_CASE("direction_angle inverts sin_cos and gives 0 for no direction") {
   CHECK(direction_angle(-1, 0) == kPi);
 }
 
-TEST_CASE("wrap_angle gives the same direction in (-pi, pi]") {
+TEST_CASE("wrap_angle gives the same direction between -pi and pi") {
   Rng rng(9);
   for (int i = 0; i < 100000; ++i) {
     const double a = rng.uniform(-100, 100), w = wrap_angle(a);
