@@ -1,0 +1,171 @@
+#include "layout/contacts.h"
+
+#include <algorithm>
+
+namespace inhabit::layout {
+namespace {
+
+/// Below this many boxes every pair is kept: 24 * 23 / 2 circle tests cost less than finding out which to leave.
+constexpr std::size_t kFew = 24;
+
+}  // namespace
+
+Contacts::Contacts(const Problem& problem) : p_(problem) {
+  const auto& boxes = p_.data.boxes;
+  for (const Zone& z : p_.zones) zone_reach_.push_back(z.radius + (z.owner ? length(z.box.center) : 0));
+  all_ = boxes.size() <= kFew;
+  if (all_) {
+    all_pairs();
+    return;
+  }
+  std::vector<double> radii;
+  for (const BoxData& b : boxes) radii.push_back(b.radius);
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::ranges::nth_element(radii, middle);
+  const double limit = 3 * *middle;
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    if (boxes[i].radius > limit) {
+      large_.push_back(i);
+    } else {
+      small_radius_ = std::max(small_radius_, boxes[i].radius);
+    }
+  }
+  margin_ = 0.5 * *middle;
+}
+
+void Contacts::all_pairs() {
+  const auto n = static_cast<std::uint32_t>(p_.data.boxes.size());
+  for (std::uint32_t i = 0; i < n && p_.collisions; ++i) {
+    for (std::uint32_t j = i + 1; j < n; ++j) {
+      if (p_.collide(i, j)) pairs_.push_back({i, j});
+    }
+  }
+  for (std::uint32_t z = 0; z < p_.zones.size(); ++z) {
+    for (std::uint32_t b = 0; b < n; ++b) {
+      const BoxData& d = p_.data.boxes[b];
+      const Zone& zone = p_.zones[z];
+      const bool own = zone.owner && zone.owner->body == d.body;
+      if (!own && d.low < zone.high && zone.low < d.high && zone.concerns(b)) zone_pairs_.push_back({z, b});
+    }
+  }
+}
+
+bool Contacts::stale(const State& x) const {
+  if (built_at_.size() != x.boxes.size()) return true;
+  const double limit = margin_ * margin_ / 4;
+  for (std::size_t i = 0; i < x.boxes.size(); ++i) {
+    const Vec2 d = x.boxes[i].center - built_at_[i];
+    if (dot(d, d) > limit) return true;
+  }
+  return false;
+}
+
+void Contacts::refresh(const State& x) {
+  if (!all_ && stale(x)) rebuild(x);
+}
+
+void Contacts::rebuild(const State& x) {
+  const auto& boxes = p_.data.boxes;
+  const std::size_t n = boxes.size();
+  built_at_.resize(n);
+  Bounds b;
+  for (std::size_t i = 0; i < n; ++i) built_at_[i] = x.boxes[i].center, b.add(built_at_[i]);
+  // A cell holds the reach of the widest small pair; sparse scenes get larger cells, so that there are at most 4 n of them.
+  const Vec2 extent = b.size();
+  double cell = 2 * small_radius_ + margin_;
+  cell = std::max(cell, std::sqrt(std::max(1e-9, extent.x * extent.y) / (4.0 * static_cast<double>(n))));
+  const auto columns = static_cast<std::int64_t>(extent.x / cell) + 1, rows = static_cast<std::int64_t>(extent.y / cell) + 1;
+  const auto column = [&](double v) { return std::clamp(static_cast<std::int64_t>(std::floor((v - b.min.x) / cell)), std::int64_t{0}, columns - 1); };
+  const auto row = [&](double v) { return std::clamp(static_cast<std::int64_t>(std::floor((v - b.min.y) / cell)), std::int64_t{0}, rows - 1); };
+  // Counting sort of the small boxes by cell.
+  cell_first_.assign(static_cast<std::size_t>(columns * rows) + 1, 0);
+  cell_of_.assign(n, 0xffffffffu);
+  for (std::uint32_t i = 0, next = 0; i < n; ++i) {
+    if (next < large_.size() && large_[next] == i) {
+      ++next;
+      continue;
+    }
+    cell_of_[i] = static_cast<std::uint32_t>(row(built_at_[i].y) * columns + column(built_at_[i].x));
+    ++cell_first_[cell_of_[i] + 1];
+  }
+  for (std::size_t c = 1; c < cell_first_.size(); ++c) cell_first_[c] += cell_first_[c - 1];
+  cell_items_.resize(cell_first_.back());
+  std::vector<std::uint32_t> fill(cell_first_.begin(), cell_first_.end() - 1);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    if (cell_of_[i] != 0xffffffffu) cell_items_[fill[cell_of_[i]]++] = i;
+  }
+  const auto visit = [&](Vec2 p, double reach, auto&& f) {
+    for (std::int64_t r = row(p.y - reach); r <= row(p.y + reach); ++r) {
+      for (std::int64_t c = column(p.x - reach); c <= column(p.x + reach); ++c) {
+        const auto k = static_cast<std::size_t>(r * columns + c);
+        for (std::uint32_t s = cell_first_[k]; s < cell_first_[k + 1]; ++s) f(cell_items_[s]);
+      }
+    }
+  };
+  pairs_.clear();
+  for (std::uint32_t i = 0; i < n && p_.collisions; ++i) {
+    const auto consider = [&](std::uint32_t j) {
+      const double reach = boxes[i].radius + boxes[j].radius + margin_;
+      const Vec2 d = built_at_[i] - built_at_[j];
+      if (dot(d, d) < reach * reach && p_.collide(i, j)) pairs_.push_back({std::min(i, j), std::max(i, j)});
+    };
+    if (cell_of_[i] != 0xffffffffu) {
+      visit(built_at_[i], boxes[i].radius + small_radius_ + margin_, [&](std::uint32_t j) {
+        if (j > i) consider(j);
+      });
+    } else {
+      for (std::uint32_t j = 0; j < n; ++j) {
+        if (cell_of_[j] != 0xffffffffu || j > i) consider(j);
+      }
+    }
+  }
+  zone_pairs_.clear();
+  for (std::uint32_t z = 0; z < p_.zones.size(); ++z) {
+    const Zone& zone = p_.zones[z];
+    const Vec2 at = zone.owner ? x.position(*zone.owner) : zone.box.center;
+    const auto consider = [&](std::uint32_t j) {
+      const BoxData& d = boxes[j];
+      const bool own = zone.owner && zone.owner->body == d.body;
+      if (own || d.low >= zone.high || zone.low >= d.high) return;
+      const double reach = zone_reach_[z] + d.radius + margin_;
+      const Vec2 gap = at - built_at_[j];
+      if (dot(gap, gap) < reach * reach && zone.concerns(j)) zone_pairs_.push_back({z, j});
+    };
+    visit(at, zone_reach_[z] + small_radius_ + margin_, consider);
+    for (const std::uint32_t j : large_) consider(j);
+  }
+}
+
+void Contacts::score(const State& x, Score& s, double& squares) const {
+  for (const Pair& pair : pairs_) {
+    if (!near(x.boxes[pair.a], p_.data.boxes[pair.a].radius, x.boxes[pair.b], p_.data.boxes[pair.b].radius)) continue;
+    const double depth = separation(x.boxes[pair.a], x.boxes[pair.b]).depth;
+    if (depth <= 0) continue;
+    s.violation += depth;
+    s.worst = std::max(s.worst, depth);
+    squares += p_.collision_gamma * depth * depth;
+  }
+  for (const Pair& pair : zone_pairs_) {
+    const Zone& z = p_.zones[pair.a];
+    const Box& box = x.boxes[pair.b];
+    const Vec2 gap = box.center - zone_center(z, x);
+    const double reach = z.radius + p_.data.boxes[pair.b].radius;
+    if (dot(gap, gap) >= reach * reach) continue;
+    const double depth = zone_separation(z, box, x, false).depth;
+    if (depth <= 0) continue;
+    s.slack = std::max(s.slack, depth);
+    squares += z.gamma * depth * depth;
+  }
+}
+
+void Contacts::add_load(const State& x, std::span<double> load) const {
+  for (const Pair& pair : pairs_) {
+    const BoxData &a = p_.data.boxes[pair.a], &b = p_.data.boxes[pair.b];
+    if (!near(x.boxes[pair.a], a.radius, x.boxes[pair.b], b.radius)) continue;
+    const double depth = separation(x.boxes[pair.a], x.boxes[pair.b]).depth;
+    if (depth <= 0) continue;
+    load[a.body] += depth, load[b.body] += depth;
+  }
+}
+
+}  // namespace inhabit::layout

@@ -1,0 +1,116 @@
+#pragma once
+#include "layout/constraints/collision.h"
+
+namespace inhabit::layout {
+
+/// How good a state is: hard violations and the energy.
+struct Score {
+  double energy = 0;     ///< TVCG eq. 1
+  double violation = 0;  ///< summed depth of overlaps and of boxes outside, metres
+  double worst = 0;      ///< deepest of them
+  double slack = 0;      ///< largest |C| of everything else, metres or radians
+  bool feasible() const { return worst <= 1e-3; }
+  /// Feasible before infeasible, then by energy.
+  bool better_than(const Score& b) const {
+    return feasible() != b.feasible() ? feasible() : energy < b.energy;
+  }
+};
+
+/// The pairs of boxes, and of zones and boxes, that may meet: found by a uniform grid with a margin, and kept until
+/// something has moved by half of it. Small scenes keep all pairs.
+class Contacts {
+ public:
+  explicit Contacts(const Problem& problem);
+
+  /// Brings the pairs up to date with x; cheap when little has moved.
+  void refresh(const State& x);
+
+  template <class Sink>
+  void project_collisions(const State& x, double k, Sink& sink) const;
+  template <class Sink>
+  void project_zones(const State& x, std::span<const double> stiffness, bool sphere, Sink& sink) const;
+
+  /// Adds overlaps and occupied zones to the sums of the score (squares, before the root).
+  void score(const State& x, Score& s, double& squares) const;
+  /// Adds every box's overlap depth, shared among the bodies of each pair, to `load`.
+  void add_load(const State& x, std::span<double> load) const;
+
+  struct Pair {
+    std::uint32_t a = 0, b = 0;
+  };
+  const std::vector<Pair>& pairs() const { return pairs_; }
+
+ private:
+  void rebuild(const State& x);
+  void all_pairs();
+  bool stale(const State& x) const;
+  void separate_along_wall(const State& x, const Pair& pair, const Separation& s, double k, auto& sink) const;
+
+  const Problem& p_;
+  std::vector<Pair> pairs_;
+  std::vector<Pair> zone_pairs_;  ///< a: zone, b: box
+  std::vector<double> zone_reach_;
+  std::vector<Vec2> built_at_;
+  std::vector<std::uint32_t> large_, cell_of_, cell_first_, cell_items_;
+  double margin_ = 0, small_radius_ = 0;
+  bool all_ = false;
+};
+
+/// Overlap that two boxes have as circles at least: a cheap way to say no.
+inline bool near(const Box& a, double ra, const Box& b, double rb) {
+  const Vec2 d = a.center - b.center;
+  const double r = ra + rb;
+  return dot(d, d) < r * r;
+}
+
+template <class Sink>
+void Contacts::project_collisions(const State& x, double k, Sink& sink) const {
+  const auto& boxes = p_.data.boxes;
+  for (const Pair& pair : pairs_) {
+    const BoxData &da = boxes[pair.a], &db = boxes[pair.b];
+    if (!near(x.boxes[pair.a], da.radius, x.boxes[pair.b], db.radius)) continue;
+    const Separation s = contact(p_, x, pair.a, pair.b);
+    if (s.depth <= 0) continue;
+    const Anchor a{da.body, {}, 0}, b{db.body, {}, 0};
+    part(a, b, p_.data.bodies[da.body].w, p_.data.bodies[db.body].w, s.normal, -k * s.depth, sink);
+    if (da.at_wall && db.at_wall) separate_along_wall(x, pair, s, k, sink);
+  }
+}
+
+/// Two objects held to the same wall part along it, as well as along the shortest way (TVCG 3.3.9, fig. 8b).
+void Contacts::separate_along_wall(const State& x, const Pair& pair, const Separation& s, double k, auto& sink) const {
+  const Box &a = x.boxes[pair.a], &b = x.boxes[pair.b];
+  const WallPoint wa = x.room->nearest_wall(a.center - a.half_depth * a.front);
+  const WallPoint wb = x.room->nearest_wall(b.center - b.half_depth * b.front);
+  if (wa.wall != wb.wall) return;
+  const Vec2 t = x.room->walls()[wa.wall].along;
+  if (std::abs(dot(s.normal, t)) > 0.7) return;
+  const double gap = dot(a.center - b.center, t);
+  const double depth = a.extent(t) + b.extent(t) - std::abs(gap);
+  if (depth <= 0) return;
+  const std::uint32_t ba = p_.data.boxes[pair.a].body, bb = p_.data.boxes[pair.b].body;
+  part(Anchor{ba, {}, 0}, Anchor{bb, {}, 0}, p_.data.bodies[ba].w, p_.data.bodies[bb].w, gap < 0 ? -t : t, -k * depth, sink);
+}
+
+template <class Sink>
+void Contacts::project_zones(const State& x, std::span<const double> stiffness, bool sphere, Sink& sink) const {
+  for (const Pair& pair : zone_pairs_) {
+    const Zone& z = p_.zones[pair.a];
+    const BoxData& d = p_.data.boxes[pair.b];
+    const Box& box = x.boxes[pair.b];
+    const Vec2 gap = box.center - zone_center(z, x);
+    const double reach = z.radius + d.radius;
+    if (dot(gap, gap) >= reach * reach) continue;
+    const Separation s = zone_separation(z, box, x, sphere);
+    if (s.depth <= 0) continue;
+    const Anchor a{d.body, {}, 0};
+    const double w = p_.data.bodies[d.body].w, k = stiffness[z.slot];
+    if (z.owner) {
+      part(a, *z.owner, w, x.w(*z.owner), s.normal, -k * s.depth, sink);
+    } else if (w > 0) {
+      sink.shift(a, (k * s.depth) * s.normal);
+    }
+  }
+}
+
+}  // namespace inhabit::layout

@@ -1,0 +1,93 @@
+#pragma once
+#include <tuple>
+
+#include "layout/constraint_table.h"
+
+/// A scene made ready for the solver: particles, terms, zones. Compiled once, shared by all starts, never changed.
+namespace inhabit::layout {
+
+/// Where a term comes from, for reports.
+struct Origin {
+  std::string_view type;
+  Ref a, b;
+};
+
+template <class... T>
+std::tuple<std::vector<T>...> term_arrays(TypeList<T...>);
+
+/// One term by its type's place in TermTypes and its index; `Problem::touching` lists them per body.
+struct TermId {
+  std::uint16_t type = 0;
+  std::uint32_t index = 0;
+};
+
+struct StiffnessSlot {
+  pbd::Schedule schedule = pbd::Schedule::constant;
+  double k0 = 1;
+  friend bool operator==(const StiffnessSlot&, const StiffnessSlot&) = default;
+};
+
+struct Problem {
+  const Scene* scene = nullptr;
+  Room room;
+  Bodies data;
+  decltype(term_arrays(TermTypes{})) terms;
+  std::array<std::vector<Origin>, TermTypes::size> origins;
+  std::vector<Zone> zones;
+  std::vector<Ref> zone_owner;
+  std::vector<StiffnessSlot> slots;
+  std::uint32_t collision_slot = 0;
+  double collision_gamma = 150, boundary_gamma = 20;
+  bool collisions = true;            ///< false when a constraint turns them all off
+  bool boundary = true;
+  std::vector<std::uint32_t> body_of_object, box_of_object;
+  std::vector<double> base_of_object;             ///< z of each object's base
+  std::vector<std::uint32_t> body_of_group;       ///< rigid groups: their particle; none = 0xffffffff
+  std::vector<Pose> start;                        ///< given pose of each body
+  std::vector<bool> has_start;                    ///< position given
+  std::vector<bool> has_angle;
+  /// Terms that read each body, as ranges of `touching`.
+  std::vector<std::uint32_t> touching_first;
+  std::vector<TermId> touching;
+  std::vector<std::vector<std::uint32_t>> zones_of_body;  ///< zones that ride on it
+  std::vector<std::uint32_t> room_zones;                  ///< zones that ride on nobody
+
+  template <class T>
+  const std::vector<T>& of() const { return std::get<std::vector<T>>(terms); }
+  /// Calls f(term, origin) for each term, type by type.
+  template <class F>
+  void for_each_term(F&& f) const {
+    std::size_t type = 0;
+    for_each_type(TermTypes{}, [&]<class T>(std::type_identity<T>) {
+      const auto& list = of<T>();
+      for (std::size_t i = 0; i < list.size(); ++i) f(list[i], origins[type][i]);
+      ++type;
+    });
+  }
+  /// Calls f(term) for the term with this id.
+  template <class F>
+  void with_term(TermId id, F&& f) const {
+    std::uint16_t type = 0;
+    for_each_type(TermTypes{}, [&]<class T>(std::type_identity<T>) {
+      if (type++ == id.type) f(of<T>()[id.index]);
+    });
+  }
+
+  /// May two boxes touch? False for one body, disjoint heights, and sets that do not collide.
+  bool collide(std::uint32_t i, std::uint32_t j) const {
+    const BoxData &a = data.boxes[i], &b = data.boxes[j];
+    return a.body != b.body && (a.off & b.off) == 0 && a.low < b.high - 1e-3 && b.low < a.high - 1e-3 &&
+           (data.bodies[a.body].w > 0 || data.bodies[b.body].w > 0);
+  }
+
+  explicit Problem(const Scene& s) : scene(&s), room(s.space) {}
+};
+
+/// Errors: a rigid group without its members' positions, stacks that contain themselves, a fixed object without a pose.
+Result<Problem> compile(const Scene& scene);
+
+/// The pose of every object and group of the scene in this state.
+struct Placement;
+Placement placement_of(const Problem& problem, const State& x);
+
+}  // namespace inhabit::layout
