@@ -11,6 +11,10 @@ constexpr double kHardRate = 1;      ///< M of the increasing schedule
 constexpr int kStall = 8;            ///< iterations without less overlap before a relocation
 constexpr double kImprovement = 1e-3;  ///< an energy lower by less than this share is no improvement (as TVCG 4.3 stops its annealing)
 constexpr double kSettled = 1e-3;    ///< residual that nobody sees: 1 mm, 0.06 degrees
+constexpr double kVisible = 2e-3;    ///< root mean square change of all residuals that nobody sees: 2 mm, 0.1 degrees
+constexpr int kWindow = 8;           ///< iterations over which a settled layout's energy stays within that change
+constexpr int kPolishEvery = 10;
+constexpr double kPolishable = 0.1;  ///< metres: deeper overlaps take more than a polish
 constexpr std::size_t kMany = 64;    ///< more bodies than this are relocated all at once
 constexpr double kFeasible = 1e-3;   ///< metres (scene.md)
 
@@ -184,6 +188,12 @@ void Solver::iterate() {
   ++schedule_;
 }
 
+double Solver::total_gamma() const {
+  double sum = 0;
+  p_.for_each_term([&](const auto& term, const Origin&) { sum += term.gamma; });
+  return sum;
+}
+
 Score Solver::score() {
   Score s;
   double squares = 0;
@@ -324,6 +334,9 @@ Layout Solver::run(std::vector<TraceRow>* trace) {
   int iteration = 0, since_energy = 0, since_violation = 0, relocations = 0;
   double energy_mark = 1e300, violation_mark = 1e300;
   bool relocated = false;
+  const double visible = options_.paper ? 0 : kVisible * std::sqrt(total_gamma());
+  double low = 1e300, high = 0;
+  int since_window = 0;
   while (iteration < options_.max_iterations && !cancelled()) {
     iterate();
     ++iteration;
@@ -334,16 +347,21 @@ Layout Solver::run(std::vector<TraceRow>* trace) {
     relocated = false;
     if (best_score_.feasible() != was_feasible) energy_mark = 1e300;
     ++since_energy, ++since_violation;
-    if (best_score_.energy < energy_mark * (1 - kImprovement)) energy_mark = best_score_.energy, since_energy = 0;
+    if (best_score_.energy < energy_mark - std::max(visible, energy_mark * kImprovement)) energy_mark = best_score_.energy, since_energy = 0;
     if (s.violation < 0.98 * violation_mark) violation_mark = s.violation, since_violation = 0;
     if (s.feasible() && s.slack < kSettled) break;
-    if (!relocates) {
-      if (since_energy >= options_.patience) break;
-      continue;
+    // Overlaps that soft constraints keep opening fade only as 1 / l: see now and then whether they can be had at once.
+    const bool tries_polish = !options_.paper && !s.feasible() && s.worst < kPolishable;
+    if (tries_polish && iteration % kPolishEvery == 0) polish();
+    low = std::min(low, s.energy), high = std::max(high, s.energy);
+    if (high - low > visible) low = high = s.energy, since_window = 0;
+    if (++since_window > kWindow && !options_.paper) {
+      if (tries_polish) polish();
+      if (best_score_.feasible()) break;
+      low = high = s.energy, since_window = 0;
     }
-    if (best_score_.feasible()) {
+    if (best_score_.feasible() || !relocates) {
       if (since_energy >= options_.patience) break;
-      if (since_energy > 0 && since_energy % 10 == 0 && !s.feasible()) polish();
       continue;
     }
     if (since_violation < kStall) continue;

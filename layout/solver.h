@@ -29,6 +29,7 @@ class Solver {
   template <class Sink>
   void project_boundary(double k, Sink& sink);
   Score score();
+  double total_gamma() const;
   void keep(const Score& s);
   /// Boundary and collisions alone, from where things are; the result counts when it is feasible.
   bool polish();

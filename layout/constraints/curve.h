@@ -39,8 +39,16 @@ inline Curve placed_curve(const CurveTerm& c, const State& x) {
 
 struct OnCurve {
   Vec2 point;
-  double parameter = 0;  ///< metres along the curve from its start
+  double parameter = 0;  ///< grows along the curve from its start: metres on a segment, quarter turns or so on an arc
 };
+
+/// Grows from 0 to 4 with the counter-clockwise angle from r to q, without its cost.
+inline double turn_order(Vec2 q, Vec2 r) {
+  const double c = dot(q, r), s = cross(r, q), sum = std::abs(c) + std::abs(s);
+  if (sum == 0) return 0;
+  const double t = s / sum;
+  return c >= 0 ? (s >= 0 ? t : 4 + t) : 2 - t;
+}
 
 /// Angle from the arc's start to its end, counter-clockwise, in (0, 2 pi].
 inline double arc_sweep(const Curve& c) {
@@ -64,14 +72,17 @@ inline OnCurve nearest_on_curve(const Curve& c, Vec2 p) {
     const Vec2 q = nearest_on_segment(c.start, c.end, p);
     return {q, length(q - c.start)};
   }
-  const Vec2 r = c.start - c.center, v = p - c.center;
-  const double radius = length(r), sweep = arc_sweep(c);
-  double a = v == Vec2{} ? 0 : wrap_angle(angle_of(v) - angle_of(r));
-  if (a < 0) a += 2 * kPi;
-  // Beyond the arc: to the nearer of its ends.
-  if (a > sweep) a = a - sweep < 2 * kPi - a ? sweep : 0;
-  const double parameter = a * radius;
-  return {curve_point(c, parameter), parameter};
+  const Vec2 r = c.start - c.center, e = c.end - c.center, v = p - c.center;
+  const double radius = length(r), distance = length(v);
+  // Within the sweep: counter-clockwise of the start and clockwise of the end; for more than half a turn, either of them.
+  const bool after_start = cross(r, v) >= 0, before_end = cross(v, e) >= 0;
+  const bool within = cross(r, e) >= 0 && !(cross(r, e) == 0 && dot(r, e) > 0) ? after_start && before_end : after_start || before_end;
+  if (distance > 0 && within) {
+    const Vec2 q = (radius / distance) * v;
+    return {c.center + q, turn_order(q, r)};
+  }
+  const bool to_start = dot(v, r) >= dot(v, e);
+  return {to_start ? c.start : c.end, turn_order(to_start ? r : e, r)};
 }
 
 /// Members in the order of their parameter; ties by their place in the group.
