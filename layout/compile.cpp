@@ -297,21 +297,41 @@ std::vector<std::uint32_t> rigid_owner(const Scene& scene) {
   return of_object;
 }
 
+/// Objects that stand centred on each other move as one: the lowest of each stack, or the object itself. Pinned objects and
+/// members of rigid groups are held by the stacking constraint's projection instead. Requires: no stack contains itself.
+std::vector<std::uint32_t> stack_bottom(const Scene& scene, const std::vector<std::uint32_t>& rigid) {
+  std::vector<std::uint32_t> below(scene.objects.size());
+  for (std::uint32_t i = 0; i < below.size(); ++i) below[i] = i;
+  const auto free = [&](Ref r) {
+    return r.kind == Ref::Kind::object && rigid[r.index] == kNone && !scene.objects[r.index].fixed && scene.objects[r.index].lock == Lock::none;
+  };
+  for (const auto& c : scene.constraints.of<scene::Stacking>()) {
+    if (!c.anywhere && free(c.object) && free(c.on)) below[c.object.index] = c.on.index;
+  }
+  for (std::uint32_t i = 0; i < below.size(); ++i) {
+    while (below[below[i]] != below[i]) below[i] = below[below[i]];
+  }
+  return below;
+}
+
 class BodyBuilder {
  public:
-  BodyBuilder(const Scene& scene, Problem& p) : scene_(scene), p_(p), rigid_(rigid_owner(scene)) {}
+  BodyBuilder(const Scene& scene, Problem& p)
+      : scene_(scene), p_(p), rigid_(rigid_owner(scene)), bottom_(stack_bottom(scene, rigid_)) {}
 
   Status run() {
     p_.body_of_object.resize(scene_.objects.size());
     p_.box_of_object.resize(scene_.objects.size());
     p_.body_of_group.assign(scene_.groups.size(), kNone);
-    std::vector<std::vector<std::uint32_t>> members(scene_.groups.size());
+    std::vector<std::vector<std::uint32_t>> members(scene_.groups.size()), stacks(scene_.objects.size());
     for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
       if (rigid_[i] != kNone) members[rigid_[i]].push_back(i);
+      if (bottom_[i] != i) stacks[bottom_[i]].push_back(i);
     }
     for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
+      if (bottom_[i] != i) continue;
       if (rigid_[i] == kNone) {
-        single(i);
+        stack(i, stacks[i]);
       } else if (members[rigid_[i]].front() == i) {
         if (const Status s = compound(rigid_[i], members[rigid_[i]]); !s) return s;
       }
@@ -349,12 +369,20 @@ class BodyBuilder {
     p_.has_angle.push_back(has_angle);
   }
 
-  void single(std::uint32_t i) {
+  /// An object with what stands centred on it.
+  void stack(std::uint32_t i, const std::vector<std::uint32_t>& above) {
     const Object& o = scene_.objects[i];
     const bool pinned = o.fixed || o.lock == Lock::both;
-    add_body(mass(o), !pinned && o.lock != Lock::position, !pinned && o.lock != Lock::angle,
+    double total = mass(o);
+    for (const std::uint32_t k : above) total += mass(scene_.objects[k]);
+    add_body(total, !pinned && o.lock != Lock::position, !pinned && o.lock != Lock::angle,
              {o.position ? o.position->xy() : Vec2{}, o.angle.value_or(0)}, o.position.has_value(), o.angle.has_value());
-    add_box(i, static_cast<std::uint32_t>(p_.data.bodies.size() - 1), {}, 0);
+    const auto body = static_cast<std::uint32_t>(p_.data.bodies.size() - 1);
+    add_box(i, body, {}, 0);
+    for (const std::uint32_t k : above) {
+      const auto angle = scene_.objects[k].angle;
+      add_box(k, body, {}, o.angle && angle ? wrap_angle(*angle - *o.angle) : 0);
+    }
   }
 
   Status compound(std::uint32_t g, const std::vector<std::uint32_t>& members) {
@@ -413,7 +441,7 @@ class BodyBuilder {
 
   const Scene& scene_;
   Problem& p_;
-  std::vector<std::uint32_t> rigid_;
+  std::vector<std::uint32_t> rigid_, bottom_;
 };
 
 /// Which terms and zones concern each body.

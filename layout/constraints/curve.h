@@ -19,8 +19,28 @@ struct CurveTerm : Term {
 
 namespace detail {
 
+/// A curve with what its nearest points need worked out.
+struct PlacedCurve {
+  Curve::Kind kind = Curve::Kind::segment;
+  Vec2 start, end, center;
+  Vec2 r, e;              ///< arc: from the centre to its ends
+  double radius = 0;      ///< of the arc
+  bool reflex = false;    ///< the arc spans more than half a turn
+  Vec2 along;             ///< segment: unit
+  double length = 0;      ///< of the segment
+
+  explicit PlacedCurve(const Curve& c) : kind(c.kind), start(c.start), end(c.end), center(c.center) {
+    if (kind == Curve::Kind::segment) {
+      length = geometry::length(end - start), along = unit(end - start);
+    } else {
+      r = start - center, e = end - center, radius = geometry::length(r);
+      reflex = cross(r, e) < 0 || (cross(r, e) == 0 && dot(r, e) > 0);
+    }
+  }
+};
+
 /// The curve where its group has been carried to; `medial_axis` worked out.
-inline Curve placed_curve(const CurveTerm& c, const State& x) {
+inline PlacedCurve placed_curve(const CurveTerm& c, const State& x) {
   Curve curve = c.curve;
   if (curve.medial_axis) {
     Bounds b;
@@ -28,13 +48,11 @@ inline Curve placed_curve(const CurveTerm& c, const State& x) {
     const Vec2 s = b.size(), mid = b.center();
     const Vec2 half = s.x >= s.y ? Vec2{s.x / 2, 0} : Vec2{0, s.y / 2};
     curve.start = mid - half, curve.end = mid + half;
-    return curve;
+  } else if (const Pose& frame = x.frames[c.group]; frame != Pose{}) {
+    const Vec2 r = direction(frame.angle);
+    for (Vec2* p : {&curve.start, &curve.end, &curve.center}) *p = frame.p + rotate(*p, r);
   }
-  const Pose& frame = x.frames[c.group];
-  if (frame == Pose{}) return curve;
-  const Vec2 r = direction(frame.angle);
-  for (Vec2* p : {&curve.start, &curve.end, &curve.center}) *p = frame.p + rotate(*p, r);
-  return curve;
+  return PlacedCurve(curve);
 }
 
 struct OnCurve {
@@ -60,38 +78,40 @@ inline double curve_length(const Curve& c) {
   return c.kind == Curve::Kind::segment ? length(c.end - c.start) : arc_sweep(c) * length(c.start - c.center);
 }
 
-inline Vec2 curve_point(const Curve& c, double parameter) {
-  if (c.kind == Curve::Kind::segment) return c.start + parameter * unit(c.end - c.start);
+/// The point `at` metres along the curve.
+inline Vec2 curve_point(const Curve& c, double at) {
+  if (c.kind == Curve::Kind::segment) return c.start + at * unit(c.end - c.start);
   const Vec2 r = c.start - c.center;
   const double radius = length(r);
-  return c.center + rotate(r, direction(wrap_angle(radius > 0 ? parameter / radius : 0)));
+  return c.center + rotate(r, direction(wrap_angle(radius > 0 ? at / radius : 0)));
 }
 
-inline OnCurve nearest_on_curve(const Curve& c, Vec2 p) {
+inline OnCurve nearest_on_curve(const PlacedCurve& c, Vec2 p) {
   if (c.kind == Curve::Kind::segment) {
-    const Vec2 q = nearest_on_segment(c.start, c.end, p);
-    return {q, length(q - c.start)};
+    const double t = std::clamp(dot(p - c.start, c.along), 0.0, c.length);
+    return {c.start + t * c.along, t};
   }
-  const Vec2 r = c.start - c.center, e = c.end - c.center, v = p - c.center;
-  const double radius = length(r), distance = length(v);
+  const Vec2 v = p - c.center;
+  const double distance = length(v);
   // Within the sweep: counter-clockwise of the start and clockwise of the end; for more than half a turn, either of them.
-  const bool after_start = cross(r, v) >= 0, before_end = cross(v, e) >= 0;
-  const bool within = cross(r, e) >= 0 && !(cross(r, e) == 0 && dot(r, e) > 0) ? after_start && before_end : after_start || before_end;
-  if (distance > 0 && within) {
-    const Vec2 q = (radius / distance) * v;
-    return {c.center + q, turn_order(q, r)};
+  const bool after_start = cross(c.r, v) >= 0, before_end = cross(v, c.e) >= 0;
+  if (distance > 0 && (c.reflex ? after_start || before_end : after_start && before_end)) {
+    const Vec2 q = (c.radius / distance) * v;
+    return {c.center + q, turn_order(q, c.r)};
   }
-  const bool to_start = dot(v, r) >= dot(v, e);
-  return {to_start ? c.start : c.end, turn_order(to_start ? r : e, r)};
+  const bool to_start = dot(v, c.r) >= dot(v, c.e);
+  return {to_start ? c.start : c.end, turn_order(to_start ? c.r : c.e, c.r)};
 }
 
 /// Members in the order of their parameter; ties by their place in the group.
-inline std::vector<std::uint32_t> curve_order(const CurveTerm& c, const Curve& curve, const State& x) {
-  std::vector<std::pair<double, std::uint32_t>> keys(c.members.size());
-  for (std::uint32_t i = 0; i < keys.size(); ++i) keys[i] = {nearest_on_curve(curve, x.position(c.members[i])).parameter, i};
-  std::ranges::sort(keys);
-  std::vector<std::uint32_t> order(keys.size());
-  std::ranges::transform(keys, order.begin(), [](const auto& key) { return key.second; });
+inline std::vector<std::uint32_t> curve_order(const std::vector<double>& parameters) {
+  std::vector<std::uint32_t> order(parameters.size());
+  std::iota(order.begin(), order.end(), 0u);
+  if (!std::ranges::is_sorted(parameters)) {
+    std::ranges::sort(order, [&](std::uint32_t i, std::uint32_t j) {
+      return parameters[i] != parameters[j] ? parameters[i] < parameters[j] : i < j;
+    });
+  }
   return order;
 }
 
@@ -100,13 +120,16 @@ inline std::vector<std::uint32_t> curve_order(const CurveTerm& c, const Curve& c
 /// Calls f(type, residual, a, b) for every member's distance from the curve and every neighbour's from its spacing.
 template <class F>
 void for_each_residual(const CurveTerm& c, const State& x, F f) {
-  const Curve curve = detail::placed_curve(c, x);
+  const detail::PlacedCurve curve = detail::placed_curve(c, x);
+  std::vector<double> parameters;
   for (std::uint32_t i = 0; i < c.members.size(); ++i) {
     const Vec2 p = x.position(c.members[i]);
-    f("curve", length(p - detail::nearest_on_curve(curve, p).point), i, i);
+    const detail::OnCurve q = detail::nearest_on_curve(curve, p);
+    f("curve", length(p - q.point), i, i);
+    if (c.spacing) parameters.push_back(q.parameter);
   }
   if (!c.spacing) return;
-  const auto order = detail::curve_order(c, curve, x);
+  const auto order = detail::curve_order(parameters);
   for (std::size_t i = 1; i < order.size(); ++i) {
     const double d = length(x.position(c.members[order[i]]) - x.position(c.members[order[i - 1]]));
     f("spacing", d - *c.spacing, order[i - 1], order[i]);
@@ -122,14 +145,16 @@ inline double error(const CurveTerm& c, const State& x) {
 
 template <class Sink>
 void project(const CurveTerm& c, const State& x, double k, Sink& sink) {
-  const Curve curve = detail::placed_curve(c, x);
+  const detail::PlacedCurve curve = detail::placed_curve(c, x);
+  std::vector<double> parameters;
   for (const Anchor& m : c.members) {
-    if (x.w(m) <= 0) continue;
-    const Vec2 p = x.position(m), q = detail::nearest_on_curve(curve, p).point;
-    if (p != q) sink.shift(m, k * (q - p));
+    const Vec2 p = x.position(m);
+    const detail::OnCurve q = detail::nearest_on_curve(curve, p);
+    if (p != q.point && x.w(m) > 0) sink.shift(m, k * (q.point - p));
+    if (c.spacing) parameters.push_back(q.parameter);
   }
   if (!c.spacing) return;
-  const auto order = detail::curve_order(c, curve, x);
+  const auto order = detail::curve_order(parameters);
   for (const std::size_t parity : {std::size_t{1}, std::size_t{2}}) {
     for (std::size_t i = parity; i < order.size(); i += 2) {
       const Anchor &a = c.members[order[i - 1]], &b = c.members[order[i]];
