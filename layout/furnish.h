@@ -21,7 +21,7 @@ struct Options {
   std::uint64_t seed = 1;
   int starts = 5;           ///< random restarts; the best layout of all is returned
   int threads = 0;          ///< 0: all there are; never changes the result
-  int max_iterations = 2000;
+  int max_iterations = 20000;  ///< while nothing feasible is found; a feasible start ends long before
   int patience = 50;        ///< stop when the best energy has not improved for so many iterations (thesis 6.2)
   Scheme scheme = Scheme::gauss_seidel;
   Start start = Start::given;

@@ -13,6 +13,8 @@ constexpr double kImprovement = 1e-3;  ///< an energy lower by less than this sh
 constexpr double kSettled = 1e-3;    ///< residual that nobody sees: 1 mm, 0.06 degrees
 constexpr double kVisible = 2e-3;    ///< root mean square change of all residuals that nobody sees: 2 mm, 0.1 degrees
 constexpr int kWindow = 5;           ///< iterations over which a settled layout's energy stays within that change
+constexpr int kRefinements = 12;     ///< relocations that look for a better energy once a layout is feasible
+constexpr double kGood = 0.03;       ///< root mean square residual that needs none: 3 cm, 1.7 degrees
 constexpr int kPolishEvery = 10;
 constexpr double kPolishable = 0.1;  ///< metres: deeper overlaps take more than a polish
 constexpr std::size_t kMany = 64;    ///< more bodies than this are relocated all at once
@@ -90,6 +92,7 @@ void Solver::begin() {
     if (!keep) todo.push_back(b);
   }
   if (todo.empty()) {
+    settles_ = true;
     schedule_ = 20;  // warm: soft constraints correct, they do not rearrange
     return;
   }
@@ -327,17 +330,40 @@ void Solver::relocate_few(const std::vector<double>& load) {
   for (const auto& [key, b] : out) placer_->place(b, rng_, 24);
 }
 
+/// After a feasible layout has settled with somebody far from where the constraints want him: takes out whom they cost most,
+/// with neighbours, and keeps what comes out better.
+void Solver::refine(int& iteration) {
+  const double good = kGood * std::sqrt(total_gamma());
+  for (int round = 0; round < kRefinements && best_score_.energy > good && !cancelled(); ++round) {
+    x_.bodies = best_.bodies, x_.boxes = best_.boxes, x_.frames = best_.frames;
+    placer_->reset(std::vector<bool>(p_.data.bodies.size(), true));
+    std::vector<double> load(p_.data.bodies.size());
+    for (std::uint32_t b = 0; b < load.size(); ++b) load[b] = placer_->cost(b);
+    relocate_few(load);
+    schedule_ = 6;
+    for (int i = 0; i < kStall; ++i, ++iteration) {
+      iterate();
+      keep(score());
+    }
+    if (Score s = score(); !s.feasible() && s.worst < kPolishable) polish();
+  }
+}
+
+int Solver::iteration_limit() const {
+  const double n = static_cast<double>(p_.data.bodies.size());
+  return n <= kMany ? options_.max_iterations : std::max(std::min(1000, options_.max_iterations), static_cast<int>(options_.max_iterations * kMany / n));
+}
+
 Layout Solver::run(std::vector<TraceRow>* trace) {
   const auto clock = std::chrono::steady_clock::now();
   begin();
   const bool relocates = placer_.has_value() && options_.relocation;
-  int iteration = 0, since_energy = 0, since_violation = 0, relocations = 0;
-  double energy_mark = 1e300, violation_mark = 1e300;
-  bool relocated = false;
   const double visible = options_.paper ? 0 : kVisible * std::sqrt(total_gamma());
-  double low = 1e300, high = 0;
-  int since_window = 0;
-  while (iteration < options_.max_iterations && !cancelled()) {
+  const int limit = iteration_limit();
+  int iteration = 0, since_energy = 0, since_violation = 0, since_window = 0;
+  double energy_mark = 1e300, violation_mark = 1e300, low = 1e300, high = 0;
+  bool relocated = false;
+  while (iteration < limit && !cancelled()) {
     iterate();
     ++iteration;
     const Score s = score();
@@ -365,14 +391,13 @@ Layout Solver::run(std::vector<TraceRow>* trace) {
       continue;
     }
     if (since_violation < kStall) continue;
-    if (s.worst < 0.2 && polish()) continue;
+    if (s.worst < 2 * kPolishable && polish()) continue;
     if (before_ && s.violation > before_violation_ * 1.02 + 1e-3 && rng_.uniform() < 0.9) {
       x_ = *before_;
     } else {
       before_ = x_, before_violation_ = s.violation;
     }
     relocate();
-    ++relocations;
     relocated = true;
     schedule_ = std::min(schedule_, 6);
     violation_mark = 1e300, since_violation = 0;
@@ -381,6 +406,7 @@ Layout Solver::run(std::vector<TraceRow>* trace) {
     x_.bodies = best_.bodies, x_.boxes = best_.boxes, x_.frames = best_.frames;
     polish();
   }
+  if (relocates && best_score_.feasible() && !settles_ && p_.data.bodies.size() <= kMany) refine(iteration);
   Layout out;
   out.placement = placement_of(p_, best_);
   out.feasible = best_score_.feasible();

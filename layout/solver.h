@@ -38,6 +38,9 @@ class Solver {
   void relocate_few(const std::vector<double>& load);
   void relocate_many(const std::vector<double>& load);
   std::vector<double> loads() const;
+  void refine(int& iteration);
+  /// Large scenes get fewer iterations, never below 1000 unless asked: what one costs grows with the scene.
+  int iteration_limit() const;
   bool cancelled() const { return options_.cancel != nullptr && options_.cancel->requested(); }
 
   const Problem& p_;
@@ -48,6 +51,7 @@ class Solver {
   Contacts contacts_;
   std::optional<Placer> placer_;
   std::vector<double> k_;  ///< stiffness of each slot in this iteration
+  bool settles_ = false;   ///< everything has a position: small moves only
   int schedule_ = 1;       ///< l of the schedules
   State best_;
   Score best_score_;
