@@ -55,11 +55,16 @@ bool lies_on(const Obstacle& o, const Box& label, const Box& named) {
   return o.ground && holds(o.box, label) && o.box.contains(named.center);
 }
 
+/// True when the named box is drawn over the obstacle.
+bool hidden(const Obstacle& o, const Near& near, const LabelField& field) {
+  return &o - field.obstacles.data() < near.request->obstacle;
+}
+
 struct Taken {
   std::vector<Box> labels, leaders;
 };
 
-bool free_spot(const Box& label, const Near& near, const LabelField& field, const Taken& taken) {
+bool free_spot(const Box& label, const Near& near, const LabelField& field, const Taken& taken, bool inside = false) {
   if (!on_page(field.page, label)) return false;
   const Box wide = grown(label, kGap);
   for (const Box& b : taken.labels)
@@ -67,7 +72,18 @@ bool free_spot(const Box& label, const Near& near, const LabelField& field, cons
   for (const Box& b : taken.leaders)
     if (meet(label, b)) return false;
   for (const Obstacle* o : near.obstacles)
-    if (meet(label, o->box) && !lies_on(*o, label, near.request->box)) return false;
+    if (!(inside && hidden(*o, near, field)) && meet(label, o->box) && !lies_on(*o, label, near.request->box))
+      return false;
+  return true;
+}
+
+/// True when the text keeps within an ellipse; its corners are emptier than its box.
+bool within_ellipse(const Box& label, const Box& round) {
+  for (const Vec2 p : label.corners()) {
+    const Vec2 q = rotate_back(p - round.center, round.front);
+    const double x = q.x / round.half_depth, y = q.y / round.half_width;
+    if (x * x + y * y > 1.08) return false;
+  }
   return true;
 }
 
@@ -88,7 +104,8 @@ LabelSpot inside(const Near& near, const LabelField& field, const Taken& taken) 
         for (const double f : kShifts) {
           for (const double l : kShifts) {
             label.center = r.box.center + (f * play_f) * r.box.front + (l * play_l) * r.box.left();
-            if (free_spot(label, near, field, taken)) return {true, true, shape, scale, label, {}, {}};
+            if (r.round && !within_ellipse(label, r.box)) continue;
+            if (free_spot(label, near, field, taken, true)) return {true, true, shape, scale, label, {}, {}};
           }
         }
       }
@@ -98,11 +115,15 @@ LabelSpot inside(const Near& near, const LabelField& field, const Taken& taken) 
 }
 
 /// From the label's edge to just inside the box.
-void lead(LabelSpot& spot, const Box& box) {
+void lead(LabelSpot& spot, const Box& box, bool round) {
   const Vec2 to_label = rotate_back(spot.box.center - box.center, box.front);
   const double inset = std::min({3.0, 0.5 * box.half_depth, 0.5 * box.half_width});
-  const Vec2 local{std::clamp(to_label.x, inset - box.half_depth, box.half_depth - inset),
-                   std::clamp(to_label.y, inset - box.half_width, box.half_width - inset)};
+  Vec2 local{std::clamp(to_label.x, inset - box.half_depth, box.half_depth - inset),
+             std::clamp(to_label.y, inset - box.half_width, box.half_width - inset)};
+  if (round && box.half_depth > 0 && box.half_width > 0) {
+    const double reach = length({to_label.x / box.half_depth, to_label.y / box.half_width});
+    local = 0.85 / std::max(reach, 0.85) * to_label;
+  }
   spot.leader_to = box.center + rotate(local, box.front);
   const Vec2 back = rotate_back(spot.leader_to - spot.box.center, spot.box.front);
   const Vec2 edge{std::clamp(back.x, -spot.box.half_depth, spot.box.half_depth),
@@ -144,7 +165,7 @@ LabelSpot beside(const Near& near, const LabelField& field, const Taken& taken) 
           const double t = std::min(x / std::max(std::abs(d.x), 1e-9), y / std::max(std::abs(d.y), 1e-9));
           spot.box.center += t * d;
           if (!free_spot(spot.box, near, field, taken) || meet(spot.box, r.box)) continue;
-          lead(spot, r.box);
+          lead(spot, r.box, r.round);
           const auto c = cost(spot, near, taken);
           if (c && *c < best_cost) best = spot, best_cost = *c;
         }

@@ -16,9 +16,10 @@ struct Obstacle {
 struct LabelRequest {
   Box box;
   std::vector<Vec2> shapes;
+  int obstacle = -1;   ///< the obstacle that is the box itself, not in its own way
   bool inside = true;  ///< may lie inside its box
   bool beside = true;  ///< may lie beside its box
-  int obstacle = -1;   ///< the obstacle that is the box itself, not in its own way
+  bool round = false;  ///< the box is drawn as an ellipse: text inside keeps within it
 };
 
 struct LabelSpot {
@@ -32,6 +33,7 @@ struct LabelSpot {
 
 struct LabelField {
   Bounds page;
+  /// In drawing order: what a box is drawn over is not in the way of a label inside it.
   std::vector<Obstacle> obstacles;
   std::vector<Box> taken;  ///< labels that are there already
 };

@@ -100,8 +100,9 @@ Stock take_stock(const scene::Scene& scene, const PlanOptions& options) {
   const Vec2 size = stock.room.size();
   // A wall of 12 cm, thinner round small things and never a hairline round large ones.
   const double side = std::max(size.x, size.y);
-  stock.wall =
-      options.wall_thickness > 0 ? usable(options.wall_thickness) : std::clamp(0.12, 0.006 * side, 0.022 * side);
+  const bool bare = scene.space.doors.empty() && scene.space.windows.empty() && side < 2.5;  // a table top
+  stock.wall = bare ? 0.01 * side : std::clamp(0.12, 0.006 * side, 0.022 * side);
+  if (options.wall_thickness > 0) stock.wall = usable(options.wall_thickness);
   Bounds reach = stock.room;  // what stands farther outside would shrink the room to a dot
   reach.add(stock.room.min - 0.5 * Vec2{side, side});
   reach.add(stock.room.max + 0.5 * Vec2{side, side});
@@ -137,6 +138,7 @@ Stock take_stock(const scene::Scene& scene, const PlanOptions& options) {
     return a.base != b.base ? a.base < b.base : a.top < b.top;
   });
   add_openings(stock.bounds, scene.space);
+  stock.furnished = stock.bounds;
   line_up(stock, std::move(waiting));
   return stock;
 }

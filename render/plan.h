@@ -15,6 +15,7 @@ struct PlanOptions {
   bool title = true;        ///< name, measures, number of objects
   bool dimensions = true;   ///< overall width and depth
   bool scale_bar = true;
+  bool verdict = true;          ///< with a report: feasible or not, its energy, what is wrong
   bool legend = true;           ///< counts of kinds that are not labelled one by one
   double size = 1000;           ///< long side of the plan with its margins, points; a long legend adds height
   std::optional<double> scale;  ///< points per metre, instead of filling `size`

@@ -58,8 +58,8 @@ void write_spot(Drawing& drawing, const LabelSpot& spot, const Wording& words, d
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const double offset =
         (static_cast<double>(i) - 0.5 * (static_cast<double>(lines.size()) - 1)) * kLine * s + 0.36 * s;
-    write(drawing, {lines[i], spot.box.center + offset * down, s, color, Anchor::middle, bold,
-                    angle_of(spot.box.front)});
+    write(drawing,
+          {lines[i], spot.box.center + offset * down, s, color, Anchor::middle, bold, angle_of(spot.box.front)});
   }
 }
 
@@ -96,9 +96,9 @@ LabelField make_field(const Page& page, const Stock& stock, const scene::Scene& 
 /// Walls are rings of obstacles with nothing known about what lies behind them; dimension lines are obstacles, too.
 void add_dimensions(LabelField& field, const Page& page, const Stock& stock) {
   const Vec2 a = page.frame.page(Vec2{stock.room.min.x, stock.room.min.y}), b = page.frame.page(stock.room.max);
-  const double wall = page.frame.scale * stock.wall, off = wall + 20 * page.text;
-  field.obstacles.push_back({{{0.5 * (a.x + b.x), a.y + off}, {1, 0}, 0.5 * (b.x - a.x), 14 * page.text}});
-  field.obstacles.push_back({{{a.x - off, 0.5 * (a.y + b.y)}, {1, 0}, 14 * page.text, 0.5 * (a.y - b.y)}});
+  const Vec2 at = measures_corner(page, stock);
+  field.obstacles.push_back({{{0.5 * (a.x + b.x), at.y}, {1, 0}, 0.5 * (b.x - a.x), 14 * page.text}});
+  field.obstacles.push_back({{{at.x, 0.5 * (a.y + b.y)}, {1, 0}, 14 * page.text, 0.5 * (a.y - b.y)}});
   if (stock.row)
     field.obstacles.push_back(
         {{page.frame.page(*stock.row) + Vec2{75, -4} * page.text, {1, 0}, 80 * page.text, 8 * page.text}});
@@ -140,6 +140,33 @@ Split split(const Stock& stock, const PlanOptions& options) {
   return out;
 }
 
+/// One label for a stack: an item under another one with the same text is counted in the upper one's.
+std::vector<std::size_t> count_stacks(const Stock& stock, std::vector<std::size_t>& labelled,
+                                      const PlanOptions& options) {
+  std::vector<std::size_t> kept, counts;
+  for (std::size_t k = labelled.size(); k-- > 0;) {
+    const Item& low = stock.items[labelled[k]];
+    std::size_t above = kept.size();
+    for (std::size_t j = 0; j < kept.size() && above == kept.size(); ++j) {
+      const Item& high = stock.items[kept[j]];
+      const bool same = low.placed && high.placed && !options.ids && label_text(low, false) == label_text(high, false);
+      const Vec2 d = low.box.center - high.box.center;
+      const double near = 0.25 * std::min(high.box.half_depth, high.box.half_width);
+      if (same && high.base > low.base && dot(d, d) <= near * near) above = j;
+    }
+    if (above < kept.size()) {
+      ++counts[above];
+    } else {
+      kept.push_back(labelled[k]);
+      counts.push_back(1);
+    }
+  }
+  std::ranges::reverse(kept);
+  std::ranges::reverse(counts);
+  labelled = kept;
+  return counts;
+}
+
 /// Numbers for the labels that found no room; the same text has the same number.
 struct Keys {
   std::map<std::string, std::string> numbers;
@@ -161,7 +188,7 @@ void write_notes(Drawing& drawing, const Page& page, const std::vector<Note>& no
   for (const Note& note : notes) {
     words.push_back(wording(note.text, size, true));
     words.back().shapes.resize(1);
-    requests.push_back({{note.at, {1, 0}, 4, 4}, words.back().shapes, false, true, -1});
+    requests.push_back({{note.at, {1, 0}, 4, 4}, words.back().shapes, -1, false});
   }
   const auto spots = place_labels(requests, open);
   for (std::size_t i = 0; i < spots.size(); ++i) {
@@ -187,11 +214,15 @@ std::vector<LegendRow> draw_labels(Drawing& drawing, const Page& page, const Sto
   std::vector<LabelRequest> requests;
   std::vector<Wording> words;
   std::vector<std::string> texts;
-  for (const std::size_t i : who.labelled) {
+  const std::vector<std::size_t> counts = count_stacks(stock, who.labelled, options);
+  for (std::size_t k = 0; k < who.labelled.size(); ++k) {
+    const std::size_t i = who.labelled[k];
     const Item& item = stock.items[i];
     texts.push_back(label_text(item, options.ids));
+    if (counts[k] > 1) texts.back() += " × " + std::to_string(counts[k]);
     words.push_back(wording(texts.back(), size, false));
-    requests.push_back({page.frame.page(item.box), words.back().shapes, true, beside, static_cast<int>(i)});
+    requests.push_back(
+        {page.frame.page(item.box), words.back().shapes, static_cast<int>(i), true, beside, item.symbol->round});
   }
   auto spots = place_labels(requests, field);
   Keys keys;
@@ -204,7 +235,7 @@ std::vector<LegendRow> draw_labels(Drawing& drawing, const Page& page, const Sto
       if (!spots[i].inside) field.taken.push_back(leader_box(spots[i].leader_from, spots[i].leader_to));
     } else if (beside) {
       number_words.push_back(wording(keys.number(texts[i]), size, true));
-      numbered.push_back({requests[i].box, number_words.back().shapes, true, true, requests[i].obstacle});
+      numbered.push_back({requests[i].box, number_words.back().shapes, requests[i].obstacle});
     }
   }
   spots = place_labels(numbered, field);

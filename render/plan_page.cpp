@@ -16,7 +16,7 @@ double nice_below(double value) {
 }
 
 /// A measure between two points: line, slanted ticks, text above it.
-void draw_measure(Drawing& drawing, const Page& page, Vec2 a, Vec2 b, double metres) {
+void draw_measure(Drawing& drawing, const Page& page, Vec2 a, Vec2 b, const std::string& text) {
   const Vec2 d = unit(b - a), tick = 4.0 * page.text * unit(d + perp(d));
   Path line;
   line.segment(a - 5 * d, b + 5 * d);
@@ -26,7 +26,6 @@ void draw_measure(Drawing& drawing, const Page& page, Vec2 a, Vec2 b, double met
   stroke(drawing, std::move(ticks), ink::kText, 1.1 * page.line);
   const double size = 11 * page.text;
   // A piece of paper behind the text interrupts the line.
-  const std::string text = metres_text(metres);
   const Vec2 middle = 0.5 * (a + b);
   Box gap{middle, d, text_width(text, size) / 2 + 5, 0.7 * size};
   fill(drawing, Path{}.polygon(gap), drawing.background);
@@ -123,6 +122,11 @@ double draw_legend(Drawing& drawing, const Page& page, const std::vector<LegendR
 
 }  // namespace
 
+Vec2 measures_corner(const Page& page, const Stock& stock) {
+  const double off = page.frame.scale * stock.wall + 20 * page.text;
+  return page.frame.page(stock.furnished.min) + Vec2{-off, off};
+}
+
 void draw_title(Drawing& drawing, const Page& page, const Stock& stock, const scene::Scene& scene) {
   const double x = page.area.min.x + 16 * page.text, width = page.size.x - 2 * x;
   const std::string name = scene.name.empty() ? "Plan" : scene.name;
@@ -133,9 +137,9 @@ void draw_title(Drawing& drawing, const Page& page, const Stock& stock, const sc
                   Anchor::start,
                   true});
   const Vec2 size = stock.room.size();
-  std::string line = metres_text(size.x) + " × " + metres_text(size.y);
+  std::string line = fixed(size.x, 2) + " × " + fixed(size.y, 2) + " m";
   const double area = scene.space.outline.size() >= 3 ? std::abs(signed_area(scene.space.outline)) : 0;
-  if (area > 0 && area < 1e12) line += "  ·  " + fixed(area, area < 10 ? 2 : 1) + " m²";
+  if (area > 0 && area < 1e12) line += "  ·  " + fixed(area, area < 10 ? 2 : area < 1000 ? 1 : 0) + " m²";
   line += "  ·  " + count_text(scene.objects.size(), "object", "objects");
   if (stock.far > 0) line += "  ·  " + std::to_string(stock.far) + " too far outside to be shown";
   write(drawing, {fitted(line, width, 11.5 * page.text), {x, 53 * page.text}, 11.5 * page.text, ink::kFaint});
@@ -143,9 +147,9 @@ void draw_title(Drawing& drawing, const Page& page, const Stock& stock, const sc
 
 void draw_dimensions(Drawing& drawing, const Page& page, const Stock& stock) {
   const Vec2 a = page.frame.page(stock.room.min), b = page.frame.page(stock.room.max), size = stock.room.size();
-  const double off = page.frame.scale * stock.wall + 20 * page.text;
-  draw_measure(drawing, page, {a.x, a.y + off}, {b.x, a.y + off}, size.x);
-  draw_measure(drawing, page, {a.x - off, a.y}, {a.x - off, b.y}, size.y);
+  const Vec2 at = measures_corner(page, stock);
+  draw_measure(drawing, page, {a.x, at.y}, {b.x, at.y}, fixed(size.x, 2) + " m");
+  draw_measure(drawing, page, {at.x, a.y}, {at.x, b.y}, fixed(size.y, 2) + " m");
 }
 
 void draw_footer(Drawing& drawing, Page& page, const Stock& stock, const std::vector<LegendRow>& legend,
@@ -153,8 +157,9 @@ void draw_footer(Drawing& drawing, Page& page, const Stock& stock, const std::ve
   const double left = page.area.min.x + 16 * page.text, right = page.size.x - left;
   double y = page.size.y;
   if (options.scale_bar) draw_scale_bar(drawing, page, {left, y});
-  if (options.report) draw_verdict(drawing, page, stock, *options.report, {right, y + 6 * page.text});
-  if (options.scale_bar || options.report) y += 36 * page.text;
+  if (options.report && options.verdict)
+    draw_verdict(drawing, page, stock, *options.report, {right, y + 6 * page.text});
+  if (options.scale_bar || (options.report && options.verdict)) y += 36 * page.text;
   if (!legend.empty()) {
     stroke(drawing, Path{}.segment({left, y}, {right, y}), ink::kHairline, 0.7 * page.line);
     y += 17 * page.text;

@@ -21,6 +21,7 @@ struct Stock {
   std::vector<Item> items;
   Bounds bounds;  ///< of everything shown
   Bounds room;
+  Bounds furnished;                                     ///< the room and what is placed, without the row beside it
   double wall = 0.1;                                    ///< thickness, metres
   std::optional<Vec2> row;                              ///< where the row of objects without a position begins
   std::size_t waiting = 0, waiting_shown = 0, far = 0;  ///< `far`: too far outside to be shown
@@ -58,6 +59,8 @@ std::vector<LegendRow> draw_labels(Drawing& drawing, const Page& page, const Sto
                                    const PlanOptions& options, const std::vector<Note>& notes);
 
 void draw_title(Drawing& drawing, const Page& page, const Stock& stock, const scene::Scene& scene);
+/// Where the lines of the overall measures meet, left of and below what is placed.
+Vec2 measures_corner(const Page& page, const Stock& stock);
 void draw_dimensions(Drawing& drawing, const Page& page, const Stock& stock);
 /// Scale bar, verdict, legend; the page grows to hold them.
 void draw_footer(Drawing& drawing, Page& page, const Stock& stock, const std::vector<LegendRow>& legend,

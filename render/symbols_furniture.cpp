@@ -22,7 +22,7 @@ void bed(const Pen& p) {
   }
   // The blanket with its turned-down edge.
   const double edge = top + 1.3 * pillow, fold = std::min(0.16 * p.metre, 0.1 * p.d);
-  p.rect(p.left(), edge, p.w / 2, p.d / 2, p.metres(0.04, 0.06), p.outlined(p.tone.body));
+  p.rect(p.left(), edge + 0.4 * fold, p.w / 2, p.d / 2, p.metres(0.04, 0.06), p.outlined(p.tone.body));
   p.rect(p.left(), edge, p.w / 2, edge + fold, 0, p.outlined(p.tone.light));
 }
 
