@@ -64,15 +64,16 @@ std::string tick_text(double v) {
     std::string digits;
     // Superscripts; the minus sign too.
     constexpr std::string_view kUp[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    for (const char c : std::to_string(power)) digits += c == '-' ? "⁻" : kUp[c - '0'];
+    for (const char c : std::to_string(power)) digits.append(c == '-' ? "⁻" : kUp[c - '0']);
     const double rounded = std::round(10 * m) / 10;
-    return (rounded == 1 ? "" : shortest(rounded) + " · ") + "10" + digits;
+    std::string text = rounded == 1 ? std::string() : shortest(rounded).append(" · ");
+    return text.append("10").append(digits);
   }
   std::string text = shortest(std::round(v * 1e6) / 1e6);
-  // Thin gaps between thousands.
+  // Thousands are parted.
   const std::size_t whole = std::min(text.find('.'), text.size());
   if (a >= 1e4)
-    for (std::size_t i = whole; i > 3 + (v < 0 ? 1 : 0); i -= 3) text.insert(i - 3, ",");
+    for (std::size_t i = whole; i > 3 + (v < 0 ? 1 : 0); i -= 3) text.insert(i - 3, 1, ',');
   return text;
 }
 
@@ -105,7 +106,9 @@ void draw_axes(Canvas& c, const Plot& plot) {
   stroke(c.drawing, std::move(marks), ink::kText, 0.8);
   stroke(c.drawing, Path{}.segment(low, right), ink::kText, 0.9);
   const auto caption = [](const Axis& axis) {
-    return axis.unit.empty() ? axis.label : axis.label + (axis.label.empty() ? "" : " ") + "[" + axis.unit + "]";
+    return axis.unit.empty()
+               ? axis.label
+               : std::string(axis.label).append(axis.label.empty() ? "[" : " [").append(axis.unit).append("]");
   };
   write(c.drawing, {caption(plot.x), {c.corner.x + c.size.x / 2, low.y + 40}, kText, ink::kText, Anchor::middle});
   const double x = std::max(low.x - 8 - wide - 14, 0.9 * kText);
