@@ -69,10 +69,12 @@ std::string tick_text(double v) {
     std::string text = rounded == 1 ? std::string() : shortest(rounded).append(" · ");
     return text.append("10").append(digits);
   }
-  std::string text = shortest(std::round(v * 1e6) / 1e6);
+  std::string text = fixed(v, 6);
+  while (text.back() == '0') text.pop_back();
+  if (text.back() == '.') text.pop_back();
   // Thousands are parted.
   const std::size_t whole = std::min(text.find('.'), text.size());
-  if (a >= 1e4)
+  if (a >= 1e3)
     for (std::size_t i = whole; i > 3 + (v < 0 ? 1 : 0); i -= 3) text.insert(i - 3, 1, ',');
   return text;
 }
@@ -175,7 +177,7 @@ void draw_guide(Canvas& c, const Plot& plot) {
     const Vec2 a = c.at(p), b = c.at(end);
     add(c.drawing, Path{}.segment(a, b), {.stroke = ink::kFaint, .width = 1, .dash = 3, .gap = 3});
     if (!plot.guide_label.empty())
-      write(c.drawing, {plot.guide_label, a + 0.97 * (b - a) + Vec2{-4, -5}, 0.9 * kText, ink::kFaint, Anchor::end});
+      write(c.drawing, {plot.guide_label, a + 0.98 * (b - a) + Vec2{0, 15}, 0.9 * kText, ink::kFaint, Anchor::end});
     return;
   }
 }
@@ -185,6 +187,14 @@ void draw_annotations(Canvas& c, const Plot& plot) {
   LabelField field;
   field.page.add(c.corner);
   field.page.add(c.corner + c.size);
+  // Words keep off the lines that matter.
+  for (const Series& s : plot.series) {
+    for (std::size_t i = 1; i < s.points.size() && s.width > 1.5 && field.obstacles.size() < 4000; ++i) {
+      const Vec2 p = s.points[i - 1], q = s.points[i];
+      if (usable(p.x, plot.x) && usable(p.y, plot.y) && usable(q.x, plot.x) && usable(q.y, plot.y))
+        field.obstacles.push_back({leader_box(c.at(p), c.at(q))});
+    }
+  }
   for (const Annotation& a : plot.annotations) {
     if (!usable(a.at.x, plot.x) || !usable(a.at.y, plot.y)) continue;
     const Vec2 p = c.at(a.at);

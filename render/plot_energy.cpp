@@ -57,7 +57,7 @@ Drawing draw_energy(std::span<const layout::TraceRow> trace) {
     plot.series.push_back(
         {"start " + std::to_string(best->first) + " (best)", run.points, {}, rgb(0x1f4e79), Marker::none, 2});
     if (run.first_feasible)
-      plot.annotations.push_back({*run.first_feasible, "feasible at " + shortest(run.first_feasible->x), ink::kGood});
+      plot.annotations.push_back({*run.first_feasible, "feasible at " + fixed(run.first_feasible->x, 0), ink::kGood});
   }
   return draw_plot(plot);
 }
