@@ -87,26 +87,38 @@ bool within_ellipse(const Box& label, const Box& round) {
   return true;
 }
 
+/// One text inside the box, in the middle of what is left behind the inset or as near to it as may be.
+std::optional<LabelSpot> fit(const Near& near, const LabelField& field, const Taken& taken, LabelSpot spot,
+                             double inset) {
+  constexpr double kShifts[] = {0, -0.5, 0.5, -1, 1};
+  const LabelRequest& r = *near.request;
+  const Vec2 middle = r.box.center - (inset / 2) * r.box.front;
+  const double play_f = r.box.half_depth - inset / 2 - spot.box.extent(r.box.front) - 2;
+  const double play_l = r.box.half_width - spot.box.extent(r.box.left()) - 2;
+  if (play_f < 0 || play_l < 0) return {};
+  for (const double f : kShifts) {
+    for (const double l : kShifts) {
+      spot.box.center = middle + (f * play_f) * r.box.front + (l * play_l) * r.box.left();
+      if (r.round && !within_ellipse(spot.box, r.box)) continue;
+      if (free_spot(spot.box, near, field, taken, true)) return spot;
+    }
+  }
+  return {};
+}
+
 LabelSpot inside(const Near& near, const LabelField& field, const Taken& taken) {
   const LabelRequest& r = *near.request;
   const Vec2 lengthwise = r.box.half_depth >= r.box.half_width ? r.box.front : r.box.left();
-  // Upright text first, then along the long side; the middle first, then away from it.
+  // Large before small, off the front's mark before on it, upright before turned, one line before two.
   const Vec2 directions[] = {{1, 0}, readable(lengthwise), readable(perp(lengthwise))};
-  constexpr double kShifts[] = {0, -0.5, 0.5, -1, 1};
+  const std::vector<double> insets = r.front_inset > 0 ? std::vector{r.front_inset, 0.0} : std::vector{0.0};
   for (const double scale : kScales) {
-    for (std::size_t shape = 0; shape < r.shapes.size(); ++shape) {
+    for (const double inset : insets) {
       for (const Vec2 d : directions) {
-        const Vec2 half = 0.5 * scale * r.shapes[shape];
-        Box label{r.box.center, d, half.x, half.y};
-        const double play_f = r.box.half_depth - label.extent(r.box.front) - 2;
-        const double play_l = r.box.half_width - label.extent(r.box.left()) - 2;
-        if (play_f < 0 || play_l < 0) continue;
-        for (const double f : kShifts) {
-          for (const double l : kShifts) {
-            label.center = r.box.center + (f * play_f) * r.box.front + (l * play_l) * r.box.left();
-            if (r.round && !within_ellipse(label, r.box)) continue;
-            if (free_spot(label, near, field, taken, true)) return {true, true, shape, scale, label, {}, {}};
-          }
+        for (std::size_t shape = 0; shape < r.shapes.size(); ++shape) {
+          const Vec2 half = 0.5 * scale * r.shapes[shape];
+          const LabelSpot spot{true, true, shape, scale, {r.box.center, d, half.x, half.y}, {}, {}};
+          if (const auto found = fit(near, field, taken, spot, inset)) return *found;
         }
       }
     }

@@ -16,10 +16,11 @@ struct Obstacle {
 struct LabelRequest {
   Box box;
   std::vector<Vec2> shapes;
-  int obstacle = -1;   ///< the obstacle that is the box itself, not in its own way
-  bool inside = true;  ///< may lie inside its box
-  bool beside = true;  ///< may lie beside its box
-  bool round = false;  ///< the box is drawn as an ellipse: text inside keeps within it
+  int obstacle = -1;       ///< the obstacle that is the box itself, not in its own way
+  bool inside = true;      ///< may lie inside its box
+  bool beside = true;      ///< may lie beside its box
+  double front_inset = 0;  ///< kept free inside the front edge where possible: for a mark
+  bool round = false;      ///< the box is drawn as an ellipse: text inside keeps within it
 };
 
 struct LabelSpot {

@@ -50,7 +50,7 @@ void write_spot(Drawing& drawing, const LabelSpot& spot, const Wording& words, d
     stroke(drawing, Path{}.segment(spot.leader_from, spot.leader_to), color, 0.6);
     fill(drawing, Path{}.circle(spot.leader_to, 1.4), color);
   } else {
-    fill(drawing, Path{}.polygon(spot.box), rgb(0xffffff, 0.62));
+    fill(drawing, Path{}.polygon(spot.box), rgb(0xffffff, 0.7));
   }
   const auto& lines = words.breaks[spot.shape];
   const double s = size * spot.scale;
@@ -221,8 +221,8 @@ std::vector<LegendRow> draw_labels(Drawing& drawing, const Page& page, const Sto
     texts.push_back(label_text(item, options.ids));
     if (counts[k] > 1) texts.back() += " × " + std::to_string(counts[k]);
     words.push_back(wording(texts.back(), size, false));
-    requests.push_back(
-        {page.frame.page(item.box), words.back().shapes, static_cast<int>(i), true, beside, item.symbol->round});
+    requests.push_back({page.frame.page(item.box), words.back().shapes, static_cast<int>(i), true, beside,
+                        item.symbol->mark ? 8.0 : 0.0, item.symbol->round});
   }
   auto spots = place_labels(requests, field);
   Keys keys;

@@ -37,7 +37,7 @@ constexpr SymbolRow kRows[] = {
     {"stool", symbols::stool, kSeat, true},
     {"ottoman", symbols::plain, kSeat},
     {"pouf", symbols::stool, kSeat, true},
-    {"bench", symbols::bench, kSeat},
+    {"bench", symbols::bench, kSeat, false, true},
     {"seat", symbols::seat, kSeat},
     {"table", symbols::table, kTable},
     {"picnic table", symbols::table, kTable},
@@ -78,9 +78,9 @@ constexpr SymbolRow kRows[] = {
     {"bush", symbols::plant, kPlant, true},
     {"lamp", symbols::lamp, kLight, true},
     {"light", symbols::lamp, kLight, true},
-    {"rug", symbols::rug, kTextile, false, true},
-    {"carpet", symbols::rug, kTextile, false, true},
-    {"mat", symbols::rug, kTextile, false, true},
+    {"rug", symbols::rug, kTextile, false, false, true},
+    {"carpet", symbols::rug, kTextile, false, false, true},
+    {"mat", symbols::rug, kTextile, false, false, true},
     {"toilet", symbols::toilet, kWater},
     {"sink", symbols::basin, kWater},
     {"washbasin", symbols::basin, kWater},
@@ -95,10 +95,10 @@ constexpr SymbolRow kRows[] = {
     {"fridge", symbols::fridge, kKitchen},
     {"refrigerator", symbols::fridge, kKitchen},
     {"freezer", symbols::fridge, kKitchen},
-    {"dishwasher", symbols::washer, kKitchen},
-    {"washing machine", symbols::washer, kKitchen},
-    {"washer", symbols::washer, kKitchen},
-    {"dryer", symbols::washer, kKitchen},
+    {"dishwasher", symbols::washer, kKitchen, false, true},
+    {"washing machine", symbols::washer, kKitchen, false, true},
+    {"washer", symbols::washer, kKitchen, false, true},
+    {"dryer", symbols::washer, kKitchen, false, true},
     {"grill", symbols::grill, kOutdoor},
     {"barbecue", symbols::grill, kOutdoor},
     {"carousel", symbols::carousel, kOutdoor, true},
@@ -108,7 +108,7 @@ constexpr SymbolRow kRows[] = {
     {"trashcan", symbols::bin, kBin, true},
     {"garbage can", symbols::bin, kBin, true},
     {"bin", symbols::bin, kBin, true},
-    {"stage", symbols::stage, kTable, false, true},
+    {"stage", symbols::stage, kTable, false, false, true},
     {"piano", symbols::piano, kStorage},
     {"pool table", symbols::pool_table, kStorage},
     {"billiard table", symbols::pool_table, kStorage},
@@ -131,7 +131,7 @@ constexpr SymbolRow kRows[] = {
     {"door", symbols::leaf, kOther},
     {"cube", symbols::plain, kPaper},
 };
-constexpr SymbolRow kUnknown{"", symbols::box, kOther};
+constexpr SymbolRow kUnknown{"", symbols::box, kOther, false, true};
 
 /// Lower case, words parted by one space: `Office-Chair_2` becomes "office chair 2".
 std::string words(std::string_view kind) {

@@ -119,7 +119,8 @@ void grill(const Pen& p) {
 
 void bin(const Pen& p) {
   p.ellipse(0, 0, p.w / 2, p.d / 2, p.outlined(p.tone.body));
-  p.ellipse(0, 0, 0.34 * p.w, 0.34 * p.d, {.fill = p.tone.line});
+  p.ellipse(0, 0, 0.36 * p.w, 0.36 * p.d, p.outlined(p.tone.light));
+  p.ellipse(0, 0, 0.28 * p.w, 0.28 * p.d, p.fine());
 }
 
 void carousel(const Pen& p) {
@@ -186,7 +187,7 @@ void mug(const Pen& p) {
   const double r = 0.42 * p.small();
   p.ellipse(r, 0, 0.35 * r, 0.3 * r, p.outlined(p.tone.light));
   p.ellipse(0, 0, r, r, p.outlined(p.tone.light));
-  p.ellipse(0, 0, 0.75 * r, 0.75 * r, p.outlined(rgb(0x9b7a5c)));
+  p.ellipse(0, 0, 0.75 * r, 0.75 * r, p.outlined(rgb(0xc9ad92)));
 }
 
 void frame(const Pen& p) {
