@@ -151,7 +151,7 @@ std::vector<std::size_t> count_stacks(const Stock& stock, std::vector<std::size_
       const Item& high = stock.items[kept[j]];
       const bool same = low.placed && high.placed && !options.ids && label_text(low, false) == label_text(high, false);
       const Vec2 d = low.box.center - high.box.center;
-      const double near = 0.25 * std::min(high.box.half_depth, high.box.half_width);
+      const double near = 0.5 * std::min(high.box.half_depth, high.box.half_width);
       if (same && high.base > low.base && dot(d, d) <= near * near) above = j;
     }
     if (above < kept.size()) {

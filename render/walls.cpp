@@ -99,12 +99,10 @@ void draw_leaf(Drawing& drawing, const Frame& frame, const DoorPlace& place, dou
 
 void draw_door(Drawing& drawing, const Frame& frame, const scene::Space& space, const scene::Door& door,
                const WallStyle& style) {
-  const auto place = door_place(space, door);
+  auto place = door_place(space, door);
   if (!place) return;
   const bool blocked = std::ranges::find(style.blocked_doors, door.id) != style.blocked_doors.end();
   const Color color = blocked ? ink::kProblem : ink::kWall;
-  if ((style.door_zones || blocked) && door.swing != scene::Door::Swing::none)
-    fill(drawing, swing_zone(*place, frame), blocked ? rgb(0xc62f2f, 0.13) : rgb(0x6f87a6, 0.14));
   const double slack = 0.6 / frame.scale;
   const Ring gap = through_wall(place->start, place->end, place->inward, style.thickness, slack);
   fill(drawing, Path{}.polygon(frame.page(gap)), ink::kFloor);
@@ -117,6 +115,10 @@ void draw_door(Drawing& drawing, const Frame& frame, const scene::Space& space, 
   jambs.segment(frame.page(place->start), frame.page(place->start + out));
   jambs.segment(frame.page(place->end), frame.page(place->end + out));
   stroke(drawing, std::move(jambs), ink::kWall, 0.8 * style.line);
+  // A leaf that opens outward hangs on the wall's outer face.
+  if (door.swing == scene::Door::Swing::out) place->hinge += out, place->jamb += out;
+  if ((style.door_zones || blocked) && door.swing != scene::Door::Swing::none)
+    fill(drawing, swing_zone(*place, frame), blocked ? rgb(0xc62f2f, 0.13) : rgb(0x6f87a6, 0.14));
   if (door.swing != scene::Door::Swing::none) draw_leaf(drawing, frame, *place, door.width, style, color);
 }
 
