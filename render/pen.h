@@ -47,7 +47,7 @@ struct SymbolRow {
   Symbol draw;
   Tone tone;
   bool round = false;   ///< the footprint is drawn as an ellipse
-  bool mark = false;    ///< a triangle marks the front, too small to be written over
+  bool mark = false;    ///< a small mark at the front is not to be written over
   bool ground = false;  ///< others stand on it: labels may lie across it
 };
 /// The row of a kind. `office-chair`, `Office Chair` and `chairs` are all found; of several rows named in a kind the

@@ -60,10 +60,11 @@ void line_up(Stock& stock, std::vector<Item> waiting) {
   }
 }
 
-void add_openings(Bounds& bounds, const scene::Space& space) {
+void add_openings(Bounds& bounds, const scene::Space& space, double wall) {
   for (const scene::Door& door : space.doors) {
     const auto place = door.swing == scene::Door::Swing::out ? door_place(space, door) : std::nullopt;
-    if (place && finite(place->hinge) && door.width < 1e3) bounds.add(place->hinge + door.width * place->opening);
+    if (place && finite(place->hinge) && door.width < 1e3)
+      bounds.add(place->hinge + (wall + door.width) * place->opening);
   }
 }
 
@@ -137,7 +138,7 @@ Stock take_stock(const scene::Scene& scene, const PlanOptions& options) {
     if (a.symbol->ground != b.symbol->ground && a.base == b.base) return a.symbol->ground;
     return a.base != b.base ? a.base < b.base : a.top < b.top;
   });
-  add_openings(stock.bounds, scene.space);
+  add_openings(stock.bounds, scene.space, stock.wall);
   stock.furnished = stock.bounds;
   line_up(stock, std::move(waiting));
   return stock;
