@@ -27,12 +27,12 @@ void for_each_second(const Pairs& pairs, std::uint64_t first, F&& f) {
     f(it->second);
 }
 
-/// The keys and every group above them, each once.
+/// The keys and all that the pairs lead to from them, each once.
 template <class Pairs>
-std::vector<std::uint64_t> upward(std::vector<std::uint64_t> keys, const Pairs& parents) {
+std::vector<std::uint64_t> closure(std::vector<std::uint64_t> keys, const Pairs& pairs) {
   for (std::size_t i = 0; i < keys.size(); ++i)
-    for_each_second(parents, keys[i], [&](std::uint64_t parent) {
-      if (std::ranges::find(keys, parent) == keys.end()) keys.push_back(parent);
+    for_each_second(pairs, keys[i], [&](std::uint64_t next) {
+      if (std::ranges::find(keys, next) == keys.end()) keys.push_back(next);
     });
   return keys;
 }
@@ -50,10 +50,12 @@ void Relations::collect_groups(const Scene& scene) {
     rigid_.push_back(scene.groups[g].rigid);
     for (const Ref member : scene.groups[g].members) parents_.emplace_back(key(member), key({Ref::Kind::group, g}));
   }
+  for (const auto& [member, group] : parents_) members_.emplace_back(group, member);
   std::ranges::sort(parents_);
+  std::ranges::sort(members_);
   first_self_.push_back(0);
   for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
-    for (const Key k : upward({object_key(i)}, parents_)) selves_.push_back(k);
+    for (const Key k : closure({object_key(i)}, parents_)) selves_.push_back(k);
     first_self_.push_back(selves_.size());
   }
 }
@@ -115,7 +117,8 @@ bool Relations::carried(std::uint32_t upper, std::uint32_t lower) const {
       below.push_back(k);
     });
     if (found) return true;
-    for (const Key k : upward(std::move(below), parents_))
+    // What carries a group carries its members, and what stands on a group stands on what carries one of them.
+    for (const Key k : closure(closure(std::move(below), members_), parents_))
       if (std::ranges::find(open, k) == open.end()) open.push_back(k);
   }
   return false;

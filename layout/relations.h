@@ -37,6 +37,7 @@ class Relations {
   }
 
   Pairs parents_;   ///< (member, group), sorted
+  Pairs members_;   ///< (group, member), sorted
   Pairs carriers_;  ///< (upper, lower), sorted
   Pairs bonds_;     ///< (smaller key, larger key), sorted
   std::vector<bool> rigid_;
