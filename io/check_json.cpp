@@ -65,6 +65,7 @@ std::string check_json(const CheckReport& r) {
   json["overlap_count"] = r.overlap_count;
   json["exempt_pairs"] = r.exempt_pairs;
   json["overlaps_exempt"] = r.overlaps_exempt;
+  json["overlaps_rigid"] = r.overlaps_rigid;
   json["missing"] = r.missing;
   json["raster_cell"] = finite(r.raster_cell);
   if (r.published) json["published"] = published(*r.published);

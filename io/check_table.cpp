@@ -76,6 +76,8 @@ std::string verdicts(const CheckReport& r) {
     text.append("  ").append(std::to_string(r.exempt_pairs)).append(" pairs need not keep apart; ");
     text.append(std::to_string(r.overlaps_exempt)).append(" of them overlap\n");
   }
+  if (r.overlaps_rigid > 0)
+    text.append("  ").append(std::to_string(r.overlaps_rigid)).append(" overlaps inside rigid groups, as the scene draws them\n");
   return text;
 }
 

@@ -91,23 +91,24 @@ std::vector<CheckReport::Violation> violations(const Scene& scene, const std::ve
 }  // namespace
 
 CheckReport check(const Scene& scene, const CheckOptions& options) {
-  const Bodies bodies(scene);
+  const Solids solids(scene);
   CheckReport report;
-  OverlapFindings overlaps = find_overlaps(bodies, options.all_collisions);
+  OverlapFindings overlaps = find_overlaps(solids, options.all_collisions);
   report.overlaps = std::move(overlaps.list);
   report.overlap_count = overlaps.count;
   report.overlaps_exempt = overlaps.exempt;
-  report.exempt_pairs = bodies.relations.pairs_off();
+  report.overlaps_rigid = overlaps.rigid;
+  report.exempt_pairs = solids.relations.pairs_off();
   for (const Object& object : scene.objects)
     if (!object.position) report.outside.push_back({object.id, std::numeric_limits<double>::infinity()});
   report.missing = report.outside.size();
-  for (auto& outside : find_outside(bodies, options.threads)) report.outside.push_back(std::move(outside));
+  for (auto& outside : find_outside(solids, options.threads)) report.outside.push_back(std::move(outside));
   report.feasible = report.overlap_count == 0 && report.outside.empty();
 
-  report.blocked_doors = find_blocked_doors(bodies);
-  report.clearances = find_blocked_clearances(bodies, options.threads);
-  report.views = find_blocked_views(bodies, options.threads);
-  ReachFindings reach = find_reach(bodies);
+  report.blocked_doors = find_blocked_doors(solids);
+  report.clearances = find_blocked_clearances(solids, options.threads);
+  report.views = find_blocked_views(solids, options.threads);
+  ReachFindings reach = find_reach(solids);
   report.reachable = std::move(reach.reachable);
   report.walkable_share = reach.walkable_share;
   report.raster_cell = reach.cell;

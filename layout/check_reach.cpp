@@ -15,30 +15,30 @@ constexpr std::uint8_t kBlocked = 0, kFree = 1;
 
 /// Free are the cells from whose centres the disc touches nothing: their distance to every obstacle is measured exactly,
 /// so that only the passages between the centres depend on the raster.
-Raster free_cells(const Bodies& bodies) {
-  Raster raster = make_raster(bodies.floor.outline_bounds, kCell, kMostCells);
-  fill(raster, bodies.floor.outline, kFree);
+Raster free_cells(const Solids& solids) {
+  Raster raster = make_raster(solids.floor.outline_bounds, kCell, kMostCells);
+  fill(raster, solids.floor.outline, kFree);
   const auto block = [&](int column, int row) { raster.values[raster.at(column, row)] = kBlocked; };
   const double radius = kPersonRadius - kTouching;
   const auto block_sides = [&](const Ring& ring) {
     for (std::size_t k = 0; k < ring.size(); ++k)
       for_each_near(raster, ring[k], ring[(k + 1) % ring.size()], radius, block);
   };
-  block_sides(bodies.floor.outline);
-  for (const Ring& hole : bodies.floor.holes) {
+  block_sides(solids.floor.outline);
+  for (const Ring& hole : solids.floor.holes) {
     fill(raster, hole, kBlocked);
     block_sides(hole);
   }
-  for (const Body& body : bodies.list)
-    if (blocks_person(body)) for_each_near(raster, body.box, radius, block);
+  for (const Solid& solid : solids.list)
+    if (blocks_person(solid)) for_each_near(raster, solid.box, radius, block);
   return raster;
 }
 
 /// The parts of the free cells that people get into: those with a cell just inside a door between its jambs; without
 /// doors the largest.
-std::vector<bool> entered(const Bodies& bodies, const Raster& raster, const Components& parts) {
+std::vector<bool> entered(const Solids& solids, const Raster& raster, const Components& parts) {
   std::vector<bool> in(parts.size.size(), false);
-  const Space& space = bodies.scene.space;
+  const Space& space = solids.scene.space;
   if (space.doors.empty()) {
     const auto largest = std::ranges::max_element(parts.size);
     if (largest != parts.size.end()) in[static_cast<std::size_t>(largest - parts.size.begin())] = true;
@@ -59,11 +59,11 @@ std::vector<bool> entered(const Bodies& bodies, const Raster& raster, const Comp
   return in;
 }
 
-/// True when somebody can stand next to the body.
-bool can_be_reached(const Body& body, const Raster& raster, const Components& parts, const std::vector<bool>& in) {
+/// True when somebody can stand next to the solid.
+bool can_be_reached(const Solid& solid, const Raster& raster, const Components& parts, const std::vector<bool>& in) {
   bool reached = false;
   const double within = kPersonRadius + std::max(0.05, 1.5 * raster.cell);
-  for_each_near(raster, body.box, within, [&](int column, int row) {
+  for_each_near(raster, solid.box, within, [&](int column, int row) {
     const std::int32_t label = parts.label[raster.at(column, row)];
     reached = reached || (label >= 0 && in[static_cast<std::size_t>(label)]);
   });
@@ -72,10 +72,10 @@ bool can_be_reached(const Body& body, const Raster& raster, const Components& pa
 
 }  // namespace
 
-ReachFindings find_reach(const Bodies& bodies) {
-  const Raster raster = free_cells(bodies);
+ReachFindings find_reach(const Solids& solids) {
+  const Raster raster = free_cells(solids);
   const Components parts = components(raster, kFree);
-  const std::vector<bool> in = entered(bodies, raster, parts);
+  const std::vector<bool> in = entered(solids, raster, parts);
   std::size_t free = 0, reachable = 0;
   for (std::size_t k = 0; k < parts.size.size(); ++k) {
     free += parts.size[k];
@@ -84,11 +84,11 @@ ReachFindings find_reach(const Bodies& bodies) {
   ReachFindings found;
   found.cell = raster.cell;
   found.reachable.share = free == 0 ? 0 : static_cast<double>(reachable) / static_cast<double>(free);
-  found.walkable_share = static_cast<double>(free) * raster.cell * raster.cell / area(bodies.floor);
-  for (const Body& body : bodies.list) {
-    const Object& object = bodies.object(body);
-    const bool on_floor = object.mount == Mount::floor && object.on.none() && body.base < kStepHeight;
-    if (on_floor && !can_be_reached(body, raster, parts, in)) found.reachable.unreachable.push_back(object.id);
+  found.walkable_share = static_cast<double>(free) * raster.cell * raster.cell / area(solids.floor);
+  for (const Solid& solid : solids.list) {
+    const Object& object = solids.object(solid);
+    const bool on_floor = object.mount == Mount::floor && object.on.none() && solid.base < kStepHeight;
+    if (on_floor && !can_be_reached(solid, raster, parts, in)) found.reachable.unreachable.push_back(object.id);
   }
   return found;
 }

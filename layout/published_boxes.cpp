@@ -2,7 +2,7 @@
 #include <map>
 
 #include "core/rng.h"
-#include "layout/bodies.h"
+#include "layout/solids.h"
 #include "layout/published_metrics.h"
 
 /// The published measures that are computed from boxes alone.
@@ -10,8 +10,8 @@ namespace inhabit::layout {
 namespace {
 
 /// A point of the box's surface in plan, uniform over the area of its six faces.
-Vec2 surface_point(const Body& body, core::Rng& rng) {
-  const double d = body.box.half_depth, w = body.box.half_width, h = body.top - body.base;
+Vec2 surface_point(const Solid& solid, core::Rng& rng) {
+  const double d = solid.box.half_depth, w = solid.box.half_width, h = solid.top - solid.base;
   const double flat = 4 * d * w, front = 2 * w * h, side = 2 * d * h;
   double pick = rng.uniform() * 2 * (flat + front + side);
   double u = rng.uniform(-d, d), v = rng.uniform(-w, w);
@@ -22,7 +22,7 @@ Vec2 surface_point(const Body& body, core::Rng& rng) {
       v = pick - 2 * front < side ? w : -w;
     }
   }
-  return body.box.center + u * body.box.front + v * body.box.left();
+  return solid.box.center + u * solid.box.front + v * solid.box.left();
 }
 
 constexpr double kVoxel = 0.05;
@@ -70,26 +70,26 @@ bool symmetric(const Aabb& a, const Aabb& b) {
 }  // namespace
 
 std::vector<std::string> sceneeval_out_of_bound(const Scene& scene, std::uint64_t seed) {
-  const Bodies bodies(scene);
+  const Solids solids(scene);
   std::vector<std::string> out;
-  for (const Body& body : bodies.list) {
-    if (outside_depth(bodies.floor, body.box) == 0) continue;  // every sample would hit the floor
-    const Vec3 size = bodies.object(body).size;
+  for (const Solid& solid : solids.list) {
+    if (outside_depth(solids.floor, solid.box) == 0) continue;  // every sample would hit the floor
+    const Vec3 size = solids.object(solid).size;
     const int samples = static_cast<int>(std::clamp(5000 * size.x * size.y * size.z, 1000.0, 1e7));
-    core::Rng rng(seed, body.object);
+    core::Rng rng(seed, solid.object);
     int hits = 0;
-    for (int k = 0; k < samples; ++k) hits += contains(bodies.floor, surface_point(body, rng));
-    if (static_cast<double>(hits) / samples < 0.99) out.push_back(bodies.id(body));
+    for (int k = 0; k < samples; ++k) hits += contains(solids.floor, surface_point(solid, rng));
+    if (static_cast<double>(hits) / samples < 0.99) out.push_back(solids.id(solid));
   }
   return out;
 }
 
 std::size_t sceneeval_colliding(const Scene& scene) {
   constexpr double kNudge = 0.005;
-  const Bodies bodies(scene);
-  std::vector<bool> colliding(bodies.list.size(), false);
-  bodies.grid.for_each_pair([&](std::uint32_t i, std::uint32_t j) {
-    const Body &a = bodies.list[i], &b = bodies.list[j];
+  const Solids solids(scene);
+  std::vector<bool> colliding(solids.list.size(), false);
+  solids.grid.for_each_pair([&](std::uint32_t i, std::uint32_t j) {
+    const Solid &a = solids.list[i], &b = solids.list[j];
     if (a.shares_height(b.base, b.top, kNudge) && separation(a.box, b.box).depth > kNudge) colliding[i] = colliding[j] = true;
   });
   return static_cast<std::size_t>(std::ranges::count(colliding, true));
@@ -116,10 +116,10 @@ double sceneeval_relation(Relation relation, double distance) {
 
 std::size_t layoutgpt_out_of_bound(const Scene& scene) {
   constexpr double kSlack = 0.1;
-  const Bodies bodies(scene);
-  const Bounds& room = bodies.floor.outline_bounds;
-  return static_cast<std::size_t>(std::ranges::count_if(bodies.list, [&](const Body& body) {
-    const Bounds b = bounds(body.box);
+  const Solids solids(scene);
+  const Bounds& room = solids.floor.outline_bounds;
+  return static_cast<std::size_t>(std::ranges::count_if(solids.list, [&](const Solid& solid) {
+    const Bounds b = bounds(solid.box);
     return b.min.x < room.min.x - kSlack || b.min.y < room.min.y - kSlack || b.max.x > room.max.x + kSlack ||
            b.max.y > room.max.y + kSlack;
   }));
@@ -127,20 +127,20 @@ std::size_t layoutgpt_out_of_bound(const Scene& scene) {
 
 ReSpace respace(const Scene& scene) {
   constexpr double kLeast = 1e-7;  // cubic metres of the box outside, below which its voxels are not counted
-  const Bodies bodies(scene);
+  const Solids solids(scene);
   const double ceiling = scene.space.height, volume = kVoxel * kVoxel * kVoxel;
   ReSpace result;
-  for (const Body& body : bodies.list) {
-    const bool sticks_out = std::max(body.top - ceiling, -body.base) * body.box.area() > kLeast;
-    if (!sticks_out && outside_depth(bodies.floor, body.box) == 0) continue;
-    const double all = voxels_between(body.base, body.top);
-    const double inside = voxels_between(std::max(body.base, 0.0), std::min(body.top, ceiling));
+  for (const Solid& solid : solids.list) {
+    const bool sticks_out = std::max(solid.top - ceiling, -solid.base) * solid.box.area() > kLeast;
+    if (!sticks_out && outside_depth(solids.floor, solid.box) == 0) continue;
+    const double all = voxels_between(solid.base, solid.top);
+    const double inside = voxels_between(std::max(solid.base, 0.0), std::min(solid.top, ceiling));
     double outside = 0;
-    for_each_column(body.box, [&](Vec2 p) { outside += contains(bodies.floor, p) ? all - inside : all; });
+    for_each_column(solid.box, [&](Vec2 p) { outside += contains(solids.floor, p) ? all - inside : all; });
     result.oob += outside * volume;
   }
-  bodies.grid.for_each_pair([&](std::uint32_t i, std::uint32_t j) {
-    const Body &a = bodies.list[i], &b = bodies.list[j];
+  solids.grid.for_each_pair([&](std::uint32_t i, std::uint32_t j) {
+    const Solid &a = solids.list[i], &b = solids.list[j];
     const double levels = voxels_between(std::max(a.base, b.base), std::min(a.top, b.top));
     if (levels == 0 || separation(a.box, b.box).depth <= 0) return;
     const bool a_smaller = a.box.area() < b.box.area();
@@ -152,13 +152,13 @@ ReSpace respace(const Scene& scene) {
 }
 
 DiffuScene diffuscene(const Scene& scene) {
-  const Bodies bodies(scene);
+  const Solids solids(scene);
   std::vector<Aabb> boxes;
-  for (const Body& body : bodies.list) boxes.push_back({bounds(body.box), body.base, body.top});
+  for (const Solid& solid : solids.list) boxes.push_back({bounds(solid.box), solid.base, solid.top});
   const auto n = static_cast<double>(boxes.size());
   DiffuScene result;
   double iou = 0, intersecting = 0;
-  bodies.grid.for_each_pair([&](std::uint32_t i, std::uint32_t j) {
+  solids.grid.for_each_pair([&](std::uint32_t i, std::uint32_t j) {
     const double shared = shared_volume(boxes[i], boxes[j]);
     if (shared == 0) return;
     iou += shared / (boxes[i].volume() + boxes[j].volume() - shared);
@@ -170,7 +170,7 @@ DiffuScene diffuscene(const Scene& scene) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < boxes.size(); ++i)
     for (std::size_t j = i + 1; j < boxes.size(); ++j) {
-      const Object &a = bodies.object(bodies.list[i]), &b = bodies.object(bodies.list[j]);
+      const Object &a = solids.object(solids.list[i]), &b = solids.object(solids.list[j]);
       count += a.kind == b.kind && a.model == b.model && symmetric(boxes[i], boxes[j]);
     }
   result.symmetric = count;
@@ -198,10 +198,10 @@ double infinigen_accessibility(const Box& a, std::span<const Box> others) {
 }
 
 double infinigen_freespace_2d(const Scene& scene) {
-  const Bodies bodies(scene);
-  const double room = area(bodies.floor);
+  const Solids solids(scene);
+  const double room = area(solids.floor);
   double covered = 0;
-  for (const Body& body : bodies.list) covered += body.box.area();
+  for (const Solid& solid : solids.list) covered += solid.box.area();
   return 100 * (room - covered) / room;
 }
 

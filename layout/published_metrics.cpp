@@ -4,7 +4,7 @@
 #include <opencv2/imgproc.hpp>
 #include <set>
 
-#include "layout/bodies.h"
+#include "layout/solids.h"
 
 /// The measures that are counted in pixels. They depend on OpenCV's rounding of polygons, so they use OpenCV.
 namespace inhabit::layout {
@@ -94,13 +94,13 @@ Points physcene_rectangle(const Map& map, const Object& object) {
 constexpr double kPhySceneRobot = 0.3, kPhySceneMargin = 0.2, kPhySceneHeight = 1.5;
 
 /// 4.2: R_walkable in its three readings.
-void physcene_walkable(const Bodies& bodies, const Map& map, PhyScene& result) {
+void physcene_walkable(const Solids& solids, const Map& map, PhyScene& result) {
   const int robot = map.pixels(kPhySceneRobot);
-  cv::Mat image = floor_image(bodies.floor, map);
+  cv::Mat image = floor_image(solids.floor, map);
   erode(image, robot);
-  for (const Body& body : bodies.list) {
-    if ((body.base + body.top) / 2 >= kPhySceneHeight) continue;
-    const Points points = physcene_rectangle(map, bodies.object(body));
+  for (const Solid& solid : solids.list) {
+    if ((solid.base + solid.top) / 2 >= kPhySceneHeight) continue;
+    const Points points = physcene_rectangle(map, solids.object(solid));
     outline(image, points, 0, robot);
     fill(image, points, 0);
   }
@@ -113,8 +113,8 @@ void physcene_walkable(const Bodies& bodies, const Map& map, PhyScene& result) {
   }
   double sum = 0;
   std::size_t doors = 0;
-  for (const Door& door : bodies.scene.space.doors) {
-    const auto at = frame(bodies.scene.space, door);
+  for (const Door& door : solids.scene.space.doors) {
+    const auto at = frame(solids.scene.space, door);
     if (!at) continue;
     ++doors;
     cv::Point p = map.point(at->jamb + door.width / 2 * at->along);
@@ -154,14 +154,14 @@ std::set<int> touched(const cv::Mat& labels, const Points& points, int thickness
 }
 
 /// 4.2: R_out and R_reach, where every object counts however high it hangs.
-void physcene_out_and_reach(const Bodies& bodies, const Map& map, PhyScene& result) {
+void physcene_out_and_reach(const Solids& solids, const Map& map, PhyScene& result) {
   const int robot = map.pixels(kPhySceneRobot);
-  const cv::Mat whole = floor_image(bodies.floor, map);
+  const cv::Mat whole = floor_image(solids.floor, map);
   cv::Mat image = whole.clone();
   erode(image, robot);
   std::vector<Points> footprints;
-  for (const Body& body : bodies.list) {
-    const Points& points = footprints.emplace_back(physcene_rectangle(map, bodies.object(body)));
+  for (const Solid& solid : solids.list) {
+    const Points& points = footprints.emplace_back(physcene_rectangle(map, solids.object(solid)));
     outline(image, points, 0, robot);
     fill(image, points, 0);
     const cv::Rect window = cv::boundingRect(points) & cv::Rect(0, 0, kImage, kImage);
@@ -189,10 +189,10 @@ std::array<bool, 4> functional_sides(const Scene& scene, std::uint32_t index) {
 }
 
 /// 4.1 Accessibility of one side: `outward` from the middle, `half` to the face; the strip is drawn in the object's frame.
-double side_score(const cv::Mat& free, const Map& map, const Body& body, double angle, Vec2 outward, double half,
+double side_score(const cv::Mat& free, const Map& map, const Solid& solid, double angle, Vec2 outward, double half,
                   double across, double deep) {
   constexpr double kStrip = 0.2, kOffset = 0.05;
-  const Vec2 middle = body.box.center + (half + kStrip / 2 + kOffset) * outward;
+  const Vec2 middle = solid.box.center + (half + kStrip / 2 + kOffset) * outward;
   const Points points = rectangle(map.point(middle), map.pixels(across), map.pixels(deep), angle);
   cv::Mat strip = cv::Mat::zeros(kImage, kImage, CV_8UC1), centred = strip.clone();
   fill(strip, points, 255);
@@ -205,14 +205,14 @@ double side_score(const cv::Mat& free, const Map& map, const Body& body, double 
   return area == 0 ? 0 : static_cast<double>(cv::countNonZero(strip & free)) / area;
 }
 
-/// The eight corners of the body as (along the wall, into the room, up) from the opening's lower first corner.
-std::array<cv::Point3d, 8> corners_at(const Body& body, const DoorFrame& at, double sill) {
+/// The eight corners of the solid as (along the wall, into the room, up) from the opening's lower first corner.
+std::array<cv::Point3d, 8> corners_at(const Solid& solid, const DoorFrame& at, double sill) {
   std::array<cv::Point3d, 8> corners;
-  const auto plan = body.box.corners();
+  const auto plan = solid.box.corners();
   for (std::size_t k = 0; k < 4; ++k) {
     const Vec2 d = plan[k] - at.jamb;
-    corners[k] = {dot(d, at.along), dot(d, at.inward), body.base - sill};
-    corners[k + 4] = {corners[k].x, corners[k].y, body.top - sill};
+    corners[k] = {dot(d, at.along), dot(d, at.inward), solid.base - sill};
+    corners[k + 4] = {corners[k].x, corners[k].y, solid.top - sill};
   }
   return corners;
 }
@@ -220,7 +220,7 @@ std::array<cv::Point3d, 8> corners_at(const Body& body, const DoorFrame& at, dou
 constexpr int kTriangles[12][3] = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}, {0, 1, 5}, {0, 5, 4},
                                    {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
 
-OpeningOcclusion occlusion(const Bodies& bodies, const std::string& id, bool door, const DoorFrame& at, double width,
+OpeningOcclusion occlusion(const Solids& solids, const std::string& id, bool door, const DoorFrame& at, double width,
                            double sill, double height, double extrude) {
   constexpr double kPixelsPerMetre = 100;
   const auto pixels = [](double metres) { return static_cast<int>(metres * kPixelsPerMetre); };
@@ -228,11 +228,11 @@ OpeningOcclusion occlusion(const Bodies& bodies, const std::string& id, bool doo
                                std::max(1, static_cast<int>(std::ceil(width * kPixelsPerMetre))), CV_8UC1);
   OpeningOcclusion result{id, door, false, 0};
   const Box space{at.jamb + width / 2 * at.along + extrude / 2 * at.inward, at.inward, extrude / 2, width / 2};
-  bodies.grid.for_each_near(bounds(space), [&](std::uint32_t i) {
-    const Body& body = bodies.list[i];
-    if (!body.shares_height(sill, sill + height, 1e-9) || separation(space, body.box).depth <= 1e-9) return;
+  solids.grid.for_each_near(bounds(space), [&](std::uint32_t i) {
+    const Solid& solid = solids.list[i];
+    if (!solid.shares_height(sill, sill + height, 1e-9) || separation(space, solid.box).depth <= 1e-9) return;
     result.occluded = true;
-    const auto corners = corners_at(body, at, sill);
+    const auto corners = corners_at(solid, at, sill);
     for (const auto& triangle : kTriangles) {
       Points points;
       double nearest = 1e300, farthest = -1e300;
@@ -252,15 +252,15 @@ OpeningOcclusion occlusion(const Bodies& bodies, const std::string& id, bool doo
 
 double sceneeval_navigability(const Scene& scene) {
   constexpr double kRobot = 0.2, kMargin = 0.2, kHeight = 2.0;
-  const Bodies bodies(scene);
-  const Map map(bodies.floor, kMargin);
+  const Solids solids(scene);
+  const Map map(solids.floor, kMargin);
   const int robot = map.pixels(kRobot);
-  cv::Mat image = floor_image(bodies.floor, map);
+  cv::Mat image = floor_image(solids.floor, map);
   erode(image, robot);
-  for (const Body& body : bodies.list) {
-    if ((body.base + body.top) / 2 > kHeight) continue;
-    const Object& o = bodies.object(body);
-    const Points points = rectangle(map.point(body.box.center), map.pixels(o.size.x), map.pixels(o.size.y), angle_of(o));
+  for (const Solid& solid : solids.list) {
+    if ((solid.base + solid.top) / 2 > kHeight) continue;
+    const Object& o = solids.object(solid);
+    const Points points = rectangle(map.point(solid.box.center), map.pixels(o.size.x), map.pixels(o.size.y), angle_of(o));
     outline(image, points, 0, robot);
     fill(image, points, 0);
   }
@@ -272,58 +272,58 @@ double sceneeval_navigability(const Scene& scene) {
 
 std::vector<ObjectScore> sceneeval_accessibility(const Scene& scene) {
   constexpr double kHeight = 2.0;
-  const Bodies bodies(scene);
-  const Map map(bodies.floor, 0);
-  cv::Mat image = floor_image(bodies.floor, map);
-  for (const Body& body : bodies.list) {
-    if ((body.base + body.top) / 2 > kHeight) continue;
-    const Object& o = bodies.object(body);
-    fill(image, rectangle(map.point(body.box.center), map.pixels(o.size.x), map.pixels(o.size.y), angle_of(o)), 0);
+  const Solids solids(scene);
+  const Map map(solids.floor, 0);
+  cv::Mat image = floor_image(solids.floor, map);
+  for (const Solid& solid : solids.list) {
+    if ((solid.base + solid.top) / 2 > kHeight) continue;
+    const Object& o = solids.object(solid);
+    fill(image, rectangle(map.point(solid.box.center), map.pixels(o.size.x), map.pixels(o.size.y), angle_of(o)), 0);
   }
   std::vector<ObjectScore> scores;
-  for (const Body& body : bodies.list) {
-    const std::array<bool, 4> sides = functional_sides(scene, body.object);
+  for (const Solid& solid : solids.list) {
+    const std::array<bool, 4> sides = functional_sides(scene, solid.object);
     double best = -1;
     for (std::size_t k = 0; k < 4; ++k) {
       if (!sides[k]) continue;
-      const Box& b = body.box;
+      const Box& b = solid.box;
       const std::array<Vec2, 4> outward = {-b.front, b.left(), b.front, -b.left()};
       const bool end = k % 2 == 0;  // back or front
-      best = std::max(best, side_score(image, map, body, angle_of(bodies.object(body)), outward[k],
+      best = std::max(best, side_score(image, map, solid, angle_of(solids.object(solid)), outward[k],
                                        end ? b.half_depth : b.half_width, end ? 2 * b.half_width : 0.2,
                                        end ? 0.2 : 2 * b.half_depth));
     }
-    if (best >= 0) scores.push_back({bodies.id(body), best});
+    if (best >= 0) scores.push_back({solids.id(solid), best});
   }
   return scores;
 }
 
 std::vector<OpeningOcclusion> sceneeval_opening_clearance(const Scene& scene) {
-  const Bodies bodies(scene);
+  const Solids solids(scene);
   std::vector<OpeningOcclusion> list;
   for (const Door& d : scene.space.doors)
-    if (const auto at = frame(scene.space, d)) list.push_back(occlusion(bodies, d.id, true, *at, d.width, 0, d.height, d.width));
+    if (const auto at = frame(scene.space, d)) list.push_back(occlusion(solids, d.id, true, *at, d.width, 0, d.height, d.width));
   for (const Window& w : scene.space.windows) {
     const auto at = frame(scene.space, Door{.id = {}, .wall = w.wall, .from = w.from, .width = w.width});
-    if (at) list.push_back(occlusion(bodies, w.id, false, *at, w.width, w.sill, w.height, 0.5));
+    if (at) list.push_back(occlusion(solids, w.id, false, *at, w.width, w.sill, w.height, 0.5));
   }
   return list;
 }
 
 PhyScene physcene(const Scene& scene) {
-  const Bodies bodies(scene);
-  const Map map(bodies.floor, kPhySceneMargin);
+  const Solids solids(scene);
+  const Map map(solids.floor, kPhySceneMargin);
   PhyScene result;
-  std::vector<bool> colliding(bodies.list.size(), false);
+  std::vector<bool> colliding(solids.list.size(), false);
   constexpr double kTouching = 1e-9;
-  bodies.grid.for_each_pair([&](std::uint32_t i, std::uint32_t j) {
-    const Body &a = bodies.list[i], &b = bodies.list[j];
+  solids.grid.for_each_pair([&](std::uint32_t i, std::uint32_t j) {
+    const Solid &a = solids.list[i], &b = solids.list[j];
     if (a.shares_height(b.base, b.top, kTouching) && separation(a.box, b.box).depth > kTouching)
       colliding[i] = colliding[j] = true;
   });
   result.colliding = static_cast<std::size_t>(std::ranges::count(colliding, true));
-  physcene_walkable(bodies, map, result);
-  physcene_out_and_reach(bodies, map, result);
+  physcene_walkable(solids, map, result);
+  physcene_out_and_reach(solids, map, result);
   return result;
 }
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "geometry/polygon.h"
-#include "layout/bodies.h"
+#include "layout/solids.h"
 #include "layout/published_metrics.h"
 
 /// All published measures of a scene in one table.
@@ -40,25 +40,25 @@ double wall_gap(const Scene& scene, const Box& box) {
 }
 
 /// 4.1 Relations that the scene's own constraints ask for: at a wall, and facing something.
-void relations(const Bodies& bodies, Table& table) {
-  const Scene& scene = bodies.scene;
-  std::vector<const Body*> body_of(scene.objects.size(), nullptr);
-  for (const Body& body : bodies.list) body_of[body.object] = &body;
+void relations(const Solids& solids, Table& table) {
+  const Scene& scene = solids.scene;
+  std::vector<const Solid*> solid_of(scene.objects.size(), nullptr);
+  for (const Solid& solid : solids.list) solid_of[solid.object] = &solid;
   std::size_t walls = 0, at_wall = 0, faces = 0, facing = 0;
   for (const WallDistance& c : scene.constraints.of<WallDistance>()) {
     if (c.distance > 0.3) continue;  // not "against" the wall
     for (const std::uint32_t i : objects_of(scene, c.members)) {
       ++walls;
-      at_wall += body_of[i] != nullptr && sceneeval_relation(Relation::against_wall, wall_gap(scene, body_of[i]->box)) >= 0.5;
+      at_wall += solid_of[i] != nullptr && sceneeval_relation(Relation::against_wall, wall_gap(scene, solid_of[i]->box)) >= 0.5;
     }
   }
   for (const Orientation& c : scene.constraints.of<Orientation>()) {
     if (c.relative != 0 || c.angle != 0 || c.to.kind != Ref::Kind::object) continue;
-    const Body* to = body_of[c.to.index];
+    const Solid* to = solid_of[c.to.index];
     for (const std::uint32_t i : objects_of(scene, c.members)) {
       ++faces;
-      if (to == nullptr || body_of[i] == nullptr) continue;
-      const Box& box = body_of[i]->box;
+      if (to == nullptr || solid_of[i] == nullptr) continue;
+      const Box& box = solid_of[i]->box;
       facing += dot(box.front, unit(to->box.center - box.center)) >= std::cos(core::radians(30));
     }
   }
@@ -66,9 +66,9 @@ void relations(const Bodies& bodies, Table& table) {
   table.rate("SceneEval", "face_to", facing, faces);
 }
 
-void sceneeval(const Bodies& bodies, std::uint64_t seed, Table& table) {
-  const Scene& scene = bodies.scene;
-  const std::size_t n = bodies.list.size(), colliding = sceneeval_colliding(scene);
+void sceneeval(const Solids& solids, std::uint64_t seed, Table& table) {
+  const Scene& scene = solids.scene;
+  const std::size_t n = solids.list.size(), colliding = sceneeval_colliding(scene);
   table.rate("SceneEval", "collision_boxes", colliding, n);
   table.add("SceneEval", "collision_scene_boxes", colliding > 0 ? 1 : 0);
   table.rate("SceneEval", "out_of_bound", sceneeval_out_of_bound(scene, seed).size(), n);
@@ -86,18 +86,18 @@ void sceneeval(const Bodies& bodies, std::uint64_t seed, Table& table) {
                static_cast<std::size_t>(std::ranges::count_if(openings, occluded)),
                static_cast<std::size_t>(std::ranges::count_if(openings, of_kind)));
   }
-  relations(bodies, table);
+  relations(solids, table);
 }
 
 }  // namespace
 
 PublishedMetrics published_metrics(const Scene& scene, std::uint64_t seed) {
-  const Bodies bodies(scene);
-  const std::size_t n = bodies.list.size();
+  const Solids solids(scene);
+  const std::size_t n = solids.list.size();
   Table table;
   table.result.asked = scene.objects.size();
   table.result.placed = n;
-  sceneeval(bodies, seed, table);
+  sceneeval(solids, seed, table);
 
   const PhyScene p = physcene(scene);
   table.rate("PhyScene", "col_obj", p.colliding, n);

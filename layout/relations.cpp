@@ -124,13 +124,18 @@ bool Relations::carried(std::uint32_t upper, std::uint32_t lower) const {
   return false;
 }
 
+bool Relations::rigid_mates(std::uint32_t a, std::uint32_t b) const {
+  const auto others = selves(b);
+  return std::ranges::any_of(selves(a), [&](Key k) {
+    return is_group(k) && rigid_[index_of(k)] && std::ranges::find(others, k) != others.end();
+  });
+}
+
 bool Relations::bound(std::uint32_t a, std::uint32_t b) const {
-  for (const Key ka : selves(a)) {
-    for (const Key kb : selves(b)) {
-      if (ka == kb && is_group(ka) && rigid_[index_of(ka)]) return true;
+  if (rigid_mates(a, b)) return true;
+  for (const Key ka : selves(a))
+    for (const Key kb : selves(b))
       if (std::ranges::binary_search(bonds_, std::pair<Key, Key>(std::minmax(ka, kb)))) return true;
-    }
-  }
   return false;
 }
 

@@ -19,6 +19,8 @@ class Relations {
   bool carried(std::uint32_t upper, std::uint32_t lower) const;
   /// Bound by a distance, focal_distance, stacking or orientation constraint, by `on`, or by a common rigid group.
   bool bound(std::uint32_t a, std::uint32_t b) const;
+  /// Both are in one rigid group, however deep.
+  bool rigid_mates(std::uint32_t a, std::uint32_t b) const;
   /// A `collision` constraint with mode off names both, or nobody.
   bool collision_off(std::uint32_t a, std::uint32_t b) const;
   /// Number of pairs of objects for which collision_off holds.

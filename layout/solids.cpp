@@ -1,10 +1,10 @@
-#include "layout/bodies.h"
+#include "layout/solids.h"
 
 namespace inhabit::layout {
 namespace {
 
-std::vector<Body> placed(const Scene& scene) {
-  std::vector<Body> list;
+std::vector<Solid> placed(const Scene& scene) {
+  std::vector<Solid> list;
   list.reserve(scene.objects.size());
   for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
     const Object& o = scene.objects[i];
@@ -15,10 +15,10 @@ std::vector<Body> placed(const Scene& scene) {
   return list;
 }
 
-std::vector<Bounds> bounds_of(const std::vector<Body>& list) {
+std::vector<Bounds> bounds_of(const std::vector<Solid>& list) {
   std::vector<Bounds> all;
   all.reserve(list.size());
-  for (const Body& body : list) all.push_back(bounds(body.box));
+  for (const Solid& solid : list) all.push_back(bounds(solid.box));
   return all;
 }
 
@@ -30,7 +30,7 @@ Floor floor_of(const Space& space) {
 
 }  // namespace
 
-Bodies::Bodies(const Scene& s)
+Solids::Solids(const Scene& s)
     : scene(s), floor(floor_of(s.space)), relations(s), list(placed(s)), grid(bounds_of(list)) {}
 
 std::optional<DoorFrame> frame(const Space& space, const Door& door) {

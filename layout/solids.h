@@ -9,7 +9,7 @@
 namespace inhabit::layout {
 
 /// An object where it stands: its box in plan, and its base and top.
-struct Body {
+struct Solid {
   std::uint32_t object = 0;
   Box box;
   double base = 0, top = 0;
@@ -21,17 +21,17 @@ struct Body {
 };
 
 /// What every part of a check reads. Keeps a reference to the scene.
-struct Bodies {
-  explicit Bodies(const Scene& scene);
+struct Solids {
+  explicit Solids(const Scene& scene);
 
   const Scene& scene;
   Floor floor;
   Relations relations;
-  std::vector<Body> list;  ///< the objects that have a position, in order
+  std::vector<Solid> list;  ///< the objects that have a position, in order
   BoxGrid grid;            ///< over `list`
 
-  const Object& object(const Body& body) const { return scene.objects[body.object]; }
-  const std::string& id(const Body& body) const { return object(body).id; }
+  const Object& object(const Solid& solid) const { return scene.objects[solid.object]; }
+  const std::string& id(const Solid& solid) const { return object(solid).id; }
 };
 
 /// A door in its wall: the jamb nearer to the wall's first corner, the direction along the wall and into the room.
