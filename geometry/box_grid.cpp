@@ -20,6 +20,13 @@ BoxGrid::BoxGrid(std::vector<Bounds> boxes) : boxes_(std::move(boxes)) {
   const Vec2 size = all.size();
   const double most = 4.0 * static_cast<double>(boxes_.size()) + 64;
   cell_ = std::max({*middle, std::sqrt(size.x * size.y / most), std::max(size.x, size.y) / most, 1e-9});
+  // Nor so fine that the large ones among them fill memory with their cells.
+  const auto entries = [&] {
+    double sum = 0;
+    for (const Bounds& b : boxes_) sum += (b.size().x / cell_ + 1) * (b.size().y / cell_ + 1);
+    return sum;
+  };
+  while (entries() > 16.0 * static_cast<double>(boxes_.size()) + 4096) cell_ *= 1.5;
   columns_ = static_cast<std::uint32_t>(size.x / cell_) + 1;
   rows_ = static_cast<std::uint32_t>(size.y / cell_) + 1;
 

@@ -6,9 +6,9 @@
 
 namespace inhabit::geometry {
 
-/// Finds which of many bounds meet a given one, or each other. A uniform grid about as fine as the median box, with at most
-/// four cells per box; every answer is in the order of the cells, the same at every run.
-/// Cost: linear for boxes of similar size that do not pile up.
+/// Finds which of many bounds meet a given one, or each other. A uniform grid about as fine as the median box, coarser
+/// when that took more than four cells or sixteen entries per box; every answer is in the order of the cells, the same at
+/// every run. Cost: linear for boxes of similar size that do not pile up.
 class BoxGrid {
  public:
   explicit BoxGrid(std::vector<Bounds> boxes);
@@ -41,7 +41,9 @@ class BoxGrid {
   }
 
  private:
-  struct Range { std::uint32_t row0 = 0, row1 = 0, column0 = 0, column1 = 0; };
+  struct Range {
+    std::uint32_t row0 = 0, row1 = 0, column0 = 0, column1 = 0;
+  };
 
   static bool meets(const Bounds& a, const Bounds& b) {
     return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;

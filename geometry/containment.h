@@ -33,10 +33,10 @@ double poke_depth(const Box& box, Vec2 a, Vec2 b);
 /// How far the box is from standing on the floor, metres: the larger of
 ///   max |p - floor| over the box's four corners and its centre, and
 ///   max |q - border of the box| over the points q of the floor's border that lie inside the box.
-/// The first says how far the box sticks out through a wall, the second how deep a reflex corner, a pillar or the edge of
-/// a partition sticks into the box, be it wholly inside. 0 exactly when the box lies on the closed floor: a box that does
-/// not is either crossed by the floor's border or, centre and all, outside.
-/// Cost: one bounds test per side when the box is far from all of them, and one point location.
+/// The first says how far the box sticks out through a wall, the second how deep a reflex corner, a pillar or the edge
+/// of a partition sticks into the box, be it wholly inside. 0 exactly when the box lies on the closed floor: a box that
+/// does not is either crossed by the floor's border or, centre and all, outside. Cost: one bounds test per side when
+/// the box is far from all of them, and one point location.
 double outside_depth(const Floor& floor, const Box& box);
 
 /// The axis-parallel bounds of an oriented box.

@@ -59,17 +59,21 @@ TEST_CASE("a partition that crosses a box counts though no corner lies in the ot
 }
 
 TEST_CASE("outside_depth is zero exactly when no sample of the box is off the floor") {
-  const Floor floor = make_floor({{0, 0}, {5, 0}, {5, 2}, {3, 1.5}, {2, 4}, {0, 4}}, {{{0.8, 2}, {1, 2.1}, {0.9, 2.3}}});
+  const Floor floor =
+      make_floor({{0, 0}, {5, 0}, {5, 2}, {3, 1.5}, {2, 4}, {0, 4}}, {{{0.8, 2}, {1, 2.1}, {0.9, 2.3}}});
   inhabit::core::Rng rng(41);
   int inside = 0, outside = 0;
   for (int trial = 0; trial < 4000; ++trial) {
-    const Box b{{rng.uniform(-0.5, 5.5), rng.uniform(-0.5, 4.5)}, direction(rng.uniform(-kPi, kPi)), rng.uniform(0.05, 0.8),
+    const Box b{{rng.uniform(-0.5, 5.5), rng.uniform(-0.5, 4.5)},
+                direction(rng.uniform(-kPi, kPi)),
+                rng.uniform(0.05, 0.8),
                 rng.uniform(0.05, 0.8)};
     double deepest = 0;
     constexpr int kSteps = 60;
     for (int i = 0; i <= kSteps; ++i)
       for (int j = 0; j <= kSteps; ++j) {
-        const Vec2 p = b.center + (2.0 * i / kSteps - 1) * b.half_depth * b.front + (2.0 * j / kSteps - 1) * b.half_width * b.left();
+        const Vec2 p = b.center + (2.0 * i / kSteps - 1) * b.half_depth * b.front +
+                       (2.0 * j / kSteps - 1) * b.half_width * b.left();
         deepest = std::max(deepest, outside_distance(floor, p));
       }
     const double depth = outside_depth(floor, b);

@@ -8,8 +8,8 @@ namespace inhabit::geometry {
 
 /// Square cells over a rectangle; a cell stands for its centre. Row 0 lies at the lowest y.
 struct Raster {
-  Vec2 origin;           ///< lower left corner of cell (0, 0)
-  double cell = 0.02;    ///< side, metres
+  Vec2 origin;         ///< lower left corner of cell (0, 0)
+  double cell = 0.02;  ///< side, metres
   int columns = 0, rows = 0;
   std::vector<std::uint8_t> values;
 
@@ -17,7 +17,8 @@ struct Raster {
   Vec2 center(int column, int row) const { return {origin.x + (column + 0.5) * cell, origin.y + (row + 0.5) * cell}; }
 };
 
-/// A raster of zeros over `area` whose cells are `cell` metres, or as much larger as it takes to need at most `most` cells.
+/// A raster of zeros over `area` whose cells are `cell` metres, or as much larger as it takes to need at most `most`
+/// cells.
 Raster make_raster(const Bounds& area, double cell, std::size_t most);
 
 /// Sets the cells whose centres lie inside the ring (even-odd rule; not necessarily convex or simple).
@@ -32,13 +33,15 @@ void for_each_near(const Raster& raster, Vec2 a, Vec2 b, double radius, F&& f);
 
 /// The connected parts of the cells that hold `value`; diagonal neighbours are connected.
 struct Components {
-  std::vector<std::int32_t> label;   ///< per cell: -1 for other values, else the part's number in order of first cells
-  std::vector<std::size_t> size;     ///< cells per part
+  std::vector<std::int32_t> label;  ///< per cell: -1 for other values, else the part's number in order of first cells
+  std::vector<std::size_t> size;    ///< cells per part
 };
 Components components(const Raster& raster, std::uint8_t value);
 
 namespace detail {
-struct CellRange { int column0, column1, row0, row1; };
+struct CellRange {
+  int column0, column1, row0, row1;
+};
 CellRange cells(const Raster& raster, const Bounds& area);
 }  // namespace detail
 

@@ -20,15 +20,15 @@ Json array(const std::vector<T>& items, F&& write) {
 
 Json constraints(const CheckReport& r) {
   return array(r.constraints, [](const CheckReport::Kind& k) {
-    return Json{{"type", k.type}, {"count", k.count}, {"median", finite(k.median)}, {"p95", finite(k.p95)},
-                {"max", finite(k.max)}, {"unit", k.unit}};
+    return Json{{"type", k.type},       {"count", k.count},     {"median", finite(k.median)},
+                {"p95", finite(k.p95)}, {"max", finite(k.max)}, {"unit", k.unit}};
   });
 }
 
 Json violations(const CheckReport& r) {
   return array(r.violations, [](const CheckReport::Violation& v) {
-    return Json{{"type", v.type}, {"between", v.between}, {"residual", finite(v.residual)}, {"unit", v.unit},
-                {"text", v.text}};
+    return Json{
+        {"type", v.type}, {"between", v.between}, {"residual", finite(v.residual)}, {"unit", v.unit}, {"text", v.text}};
   });
 }
 
@@ -47,18 +47,21 @@ Json published(const layout::PublishedMetrics& p) {
 std::string check_json(const CheckReport& r) {
   Json json;
   json["feasible"] = r.feasible;
-  json["overlaps"] =
-      array(r.overlaps, [](const auto& o) { return Json{{"a", o.a}, {"b", o.b}, {"depth", finite(o.depth)}}; });
+  json["overlaps"] = array(r.overlaps, [](const auto& o) {
+    return Json{{"a", o.a}, {"b", o.b}, {"depth", finite(o.depth)}};
+  });
   json["outside"] = array(r.outside, [](const auto& o) { return Json{{"id", o.id}, {"depth", finite(o.depth)}}; });
-  json["blocked_doors"] =
-      array(r.blocked_doors, [](const auto& d) { return Json{{"id", d.id}, {"share", finite(d.share)}}; });
+  json["blocked_doors"] = array(r.blocked_doors, [](const auto& d) {
+    return Json{{"id", d.id}, {"share", finite(d.share)}};
+  });
   json["clearances"] = array(r.clearances, [](const auto& c) {
     return Json{{"id", c.id}, {"face", c.face}, {"blocked_share", finite(c.blocked_share)}};
   });
   json["reachable"] = {{"share", finite(r.reachable.share)}, {"unreachable", r.reachable.unreachable}};
   json["walkable_share"] = finite(r.walkable_share);
-  json["views"] =
-      array(r.views, [](const auto& v) { return Json{{"id", v.id}, {"blocked_share", finite(v.blocked_share)}}; });
+  json["views"] = array(r.views, [](const auto& v) {
+    return Json{{"id", v.id}, {"blocked_share", finite(v.blocked_share)}};
+  });
   json["constraints"] = constraints(r);
   json["energy"] = finite(r.energy);
   json["violations"] = violations(r);

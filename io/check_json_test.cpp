@@ -50,7 +50,8 @@ TEST_CASE("the JSON of a check has the documented keys in the documented order")
 
 TEST_CASE("published measures stand under their sources beside the objects asked and placed") {
   CheckReport r;
-  r.published = layout::PublishedMetrics{4, 3, {{"ReSpace", "oob", 0.5, "m3"}, {"PhyScene", "walkable_doors", {}, ""}}, {{"x", "y"}}};
+  r.published = layout::PublishedMetrics{
+      4, 3, {{"ReSpace", "oob", 0.5, "m3"}, {"PhyScene", "walkable_doors", {}, ""}}, {{"x", "y"}}};
   const auto json = nlohmann::json::parse(io::check_json(r));
   CHECK(json["published"]["asked"] == 4);
   CHECK(json["published"]["placed"] == 3);
@@ -61,7 +62,9 @@ TEST_CASE("published measures stand under their sources beside the objects asked
 
 TEST_CASE("an id that is no UTF-8 still gives JSON") {
   CheckReport r;
-  r.reachable.unreachable = {"K\xfc" "che"};
+  r.reachable.unreachable = {
+      "K\xfc"
+      "che"};
   CHECK(nlohmann::json::accept(io::check_json(r)));
 }
 

@@ -68,16 +68,24 @@ std::string verdicts(const CheckReport& r) {
           "clear the faces below, or ask for less");
   verdict(grid, r.views.empty(), "blocked views", count_or_none(r.views.size()), "move lower things into the view");
   verdict(grid, r.reachable.share > 0.999 && r.reachable.unreachable.empty(), "reachable from the doors",
-          percent(r.reachable.share), "a passage is narrower than 0.5 m");
+          percent(r.reachable.share),
+          r.walkable_share == 0 ? "no place holds a person of 0.25 m radius"
+                                : "a passage or a door is narrower than 0.5 m");
   verdict(grid, r.violations.empty(), "constraints not kept", count_or_none(r.violations.size()), "see the list below");
   std::string text = grid.print("");
-  text.append("  walkable ").append(percent(r.walkable_share)).append(", energy ").append(fixed(r.energy, 3)).append("\n");
+  text.append("  walkable ")
+      .append(percent(r.walkable_share))
+      .append(", energy ")
+      .append(fixed(r.energy, 3))
+      .append("\n");
   if (r.exempt_pairs > 0) {
     text.append("  ").append(std::to_string(r.exempt_pairs)).append(" pairs need not keep apart; ");
     text.append(std::to_string(r.overlaps_exempt)).append(" of them overlap\n");
   }
   if (r.overlaps_rigid > 0)
-    text.append("  ").append(std::to_string(r.overlaps_rigid)).append(" overlaps inside rigid groups, as the scene draws them\n");
+    text.append("  ")
+        .append(std::to_string(r.overlaps_rigid))
+        .append(" overlaps inside rigid groups, as the scene draws them\n");
   return text;
 }
 
@@ -89,7 +97,8 @@ std::string section(std::string_view title, const std::vector<T>& items, std::ve
   for (std::size_t k = 0; k < std::min(items.size(), kMostRows); ++k) grid.rows.push_back(row(items[k]));
   std::string text("\n");
   text.append(title).append("\n").append(grid.print("  "));
-  if (items.size() > kMostRows) text.append("  … and ").append(std::to_string(items.size() - kMostRows)).append(" more\n");
+  if (items.size() > kMostRows)
+    text.append("  … and ").append(std::to_string(items.size() - kMostRows)).append(" more\n");
   return text;
 }
 
@@ -108,8 +117,7 @@ std::string constraint_table(const CheckReport& r) {
 
 std::string published_table(const layout::PublishedMetrics& p) {
   Grid grid{{}, {false, false, true, false}};
-  for (const auto& m : p.measures)
-    grid.rows.push_back({m.source, m.name, m.value ? fixed(*m.value, 4) : "–", m.unit});
+  for (const auto& m : p.measures) grid.rows.push_back({m.source, m.name, m.value ? fixed(*m.value, 4) : "–", m.unit});
   std::string text("\npublished measures, ");
   text.append(std::to_string(p.placed)).append(" of ").append(std::to_string(p.asked)).append(" objects placed\n");
   return text.append(grid.print("  "));
@@ -119,12 +127,19 @@ std::string published_table(const layout::PublishedMetrics& p) {
 
 std::string check_table(const CheckReport& r) {
   std::string text = verdicts(r);
-  text += section("overlaps", r.overlaps, {false, false, true}, [](const auto& o) { return Row{o.a, o.b, metres(o.depth)}; });
+  text += section("overlaps", r.overlaps, {false, false, true}, [](const auto& o) {
+    return Row{o.a, o.b, metres(o.depth)};
+  });
   text += section("outside", r.outside, {false, true}, [](const auto& o) { return Row{o.id, metres(o.depth)}; });
-  text += section("blocked doors", r.blocked_doors, {false, true}, [](const auto& d) { return Row{d.id, percent(d.share)}; });
-  text += section("blocked clearances", r.clearances, {false, false, true},
-                  [](const auto& c) { return Row{c.id, c.face, percent(c.blocked_share)}; });
-  text += section("blocked views", r.views, {false, true}, [](const auto& v) { return Row{v.id, percent(v.blocked_share)}; });
+  text += section("blocked doors", r.blocked_doors, {false, true}, [](const auto& d) {
+    return Row{d.id, percent(d.share)};
+  });
+  text += section("blocked clearances", r.clearances, {false, false, true}, [](const auto& c) {
+    return Row{c.id, c.face, percent(c.blocked_share)};
+  });
+  text += section("blocked views", r.views, {false, true}, [](const auto& v) {
+    return Row{v.id, percent(v.blocked_share)};
+  });
   text += section("nobody gets to", r.reachable.unreachable, {}, [](const std::string& id) { return Row{id}; });
   text += section("constraints not kept", r.violations, {}, [](const auto& v) { return Row{v.text}; });
   text += constraint_table(r);

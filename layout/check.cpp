@@ -73,7 +73,8 @@ std::vector<CheckReport::Kind> summaries(const std::vector<Residual>& list) {
   std::vector<CheckReport::Kind> kinds;
   for_each_type(ConstraintKinds{}, [&]<class T>(std::type_identity<T>) {
     for (const bool angular : {false, true}) {
-      if (auto node = sizes.extract({T::kName, angular})) kinds.push_back(summary(T::kName, angular, std::move(node.mapped())));
+      if (auto node = sizes.extract({T::kName, angular}))
+        kinds.push_back(summary(T::kName, angular, std::move(node.mapped())));
     }
   });
   for (auto& [kind, values] : sizes) kinds.push_back(summary(kind.first, kind.second, std::move(values)));

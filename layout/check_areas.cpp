@@ -8,7 +8,7 @@
 namespace inhabit::layout {
 namespace {
 
-constexpr double kSpacing = 0.02;     // metres between samples, unless that takes more than kMostSamples a side
+constexpr double kSpacing = 0.02;  // metres between samples, unless that takes more than kMostSamples a side
 constexpr double kMostSamples = 100;
 constexpr double kLeastShare = 1e-3;  // less is not worth a line
 

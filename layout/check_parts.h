@@ -1,6 +1,6 @@
 #pragma once
-#include "layout/solids.h"
 #include "layout/check.h"
+#include "layout/solids.h"
 
 /// The parts of a check, one question each; check.h says what they answer.
 namespace inhabit::layout {

@@ -13,8 +13,8 @@ constexpr double kTouching = 1e-9;  // a disc that just touches fits
 
 constexpr std::uint8_t kBlocked = 0, kFree = 1;
 
-/// Free are the cells from whose centres the disc touches nothing: their distance to every obstacle is measured exactly,
-/// so that only the passages between the centres depend on the raster.
+/// Free are the cells from whose centres the disc touches nothing: their distance to every obstacle is measured
+/// exactly, so that only the passages between the centres depend on the raster.
 Raster free_cells(const Solids& solids) {
   Raster raster = make_raster(solids.floor.outline_bounds, kCell, kMostCells);
   fill(raster, solids.floor.outline, kFree);

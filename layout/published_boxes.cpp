@@ -2,8 +2,8 @@
 #include <map>
 
 #include "core/rng.h"
-#include "layout/solids.h"
 #include "layout/published_metrics.h"
+#include "layout/solids.h"
 
 /// The published measures that are computed from boxes alone.
 namespace inhabit::layout {
@@ -90,23 +90,33 @@ std::size_t sceneeval_colliding(const Scene& scene) {
   std::vector<bool> colliding(solids.list.size(), false);
   solids.grid.for_each_pair([&](std::uint32_t i, std::uint32_t j) {
     const Solid &a = solids.list[i], &b = solids.list[j];
-    if (a.shares_height(b.base, b.top, kNudge) && separation(a.box, b.box).depth > kNudge) colliding[i] = colliding[j] = true;
+    if (a.shares_height(b.base, b.top, kNudge) && separation(a.box, b.box).depth > kNudge)
+      colliding[i] = colliding[j] = true;
   });
   return static_cast<std::size_t>(std::ranges::count(colliding, true));
 }
 
 double sceneeval_relation(Relation relation, double distance) {
-  struct Range { double low, high, sigma; };
+  struct Range {
+    double low, high, sigma;
+  };
   constexpr double kNoEnd = 1e300;
   const auto range = [&]() -> Range {
     switch (relation) {
-      case Relation::next_to: return {0, 0.5, 0.25};
-      case Relation::near: return {0.5, 1.5, 0.25};
-      case Relation::across_from: return {1.5, 4, 0.25};
-      case Relation::far: return {4, kNoEnd, 0.25};
-      case Relation::against_wall: return {0, 0.3, 0.1};
-      case Relation::on_wall: return {0, 0.01, 0.01};
-      case Relation::on_ceiling: return {0, 0.01, 0.03};
+      case Relation::next_to:
+        return {0, 0.5, 0.25};
+      case Relation::near:
+        return {0.5, 1.5, 0.25};
+      case Relation::across_from:
+        return {1.5, 4, 0.25};
+      case Relation::far:
+        return {4, kNoEnd, 0.25};
+      case Relation::against_wall:
+        return {0, 0.3, 0.1};
+      case Relation::on_wall:
+        return {0, 0.01, 0.01};
+      case Relation::on_ceiling:
+        return {0, 0.01, 0.03};
     }
     return {0, 0, 1};
   }();

@@ -29,8 +29,8 @@ struct Map {
   cv::Point point(Vec2 p) const { return {pixels(p.x - center.x) + kHalf, pixels(-(p.y - center.y)) + kHalf}; }
 };
 
-/// The corners of a rectangle of `across` x `deep` pixels whose front faces `angle`. The sources' objects face -y at rest,
-/// so that they have turned by angle + 90 degrees; image angles run the other way.
+/// The corners of a rectangle of `across` x `deep` pixels whose front faces `angle`. The sources' objects face -y at
+/// rest, so that they have turned by angle + 90 degrees; image angles run the other way.
 Points rectangle(cv::Point center, int across, int deep, double angle) {
   const auto degrees = static_cast<float>(-core::degrees(angle + kPi / 2));
   cv::Point2f corners[4];
@@ -63,7 +63,8 @@ cv::Mat floor_image(const Floor& floor, const Map& map) {
 }
 
 void erode(cv::Mat& image, int width) {
-  // OpenCV takes an empty kernel for 3 x 3, and so do the sources when the room is so large that the robot has no pixel.
+  // OpenCV takes an empty kernel for 3 x 3, and so do the sources when the room is so large that the robot has no
+  // pixel.
   const cv::Mat kernel = width > 0 ? cv::Mat(cv::Mat::ones(width, width, CV_8UC1)) : cv::Mat();
   cv::erode(image, image, kernel);
 }
@@ -87,8 +88,8 @@ double sum_of_parts(const std::vector<double>& sizes) {
 
 /// PhyScene keeps half sizes and doubles the pixels.
 Points physcene_rectangle(const Map& map, const Object& object) {
-  return rectangle(map.point(object.position->xy()), 2 * map.pixels(object.size.x / 2), 2 * map.pixels(object.size.y / 2),
-                   angle_of(object));
+  return rectangle(map.point(object.position->xy()), 2 * map.pixels(object.size.x / 2),
+                   2 * map.pixels(object.size.y / 2), angle_of(object));
 }
 
 constexpr double kPhySceneRobot = 0.3, kPhySceneMargin = 0.2, kPhySceneHeight = 1.5;
@@ -184,11 +185,13 @@ std::array<bool, 4> functional_sides(const Scene& scene, std::uint32_t index) {
   const Clearance& c = scene.objects[index].clearance;
   std::array<bool, 4> sides = {c.back > 0, c.left > 0, c.front > 0, c.right > 0};
   for (const Accessibility& a : scene.constraints.of<Accessibility>())
-    if (a.object == Ref{Ref::Kind::object, index} && a.face >= 0 && a.face < 4) sides[static_cast<std::size_t>(a.face)] = true;
+    if (a.object == Ref{Ref::Kind::object, index} && a.face >= 0 && a.face < 4)
+      sides[static_cast<std::size_t>(a.face)] = true;
   return sides;
 }
 
-/// 4.1 Accessibility of one side: `outward` from the middle, `half` to the face; the strip is drawn in the object's frame.
+/// 4.1 Accessibility of one side: `outward` from the middle, `half` to the face; the strip is drawn in the object's
+/// frame.
 double side_score(const cv::Mat& free, const Map& map, const Solid& solid, double angle, Vec2 outward, double half,
                   double across, double deep) {
   constexpr double kStrip = 0.2, kOffset = 0.05;
@@ -260,7 +263,8 @@ double sceneeval_navigability(const Scene& scene) {
   for (const Solid& solid : solids.list) {
     if ((solid.base + solid.top) / 2 > kHeight) continue;
     const Object& o = solids.object(solid);
-    const Points points = rectangle(map.point(solid.box.center), map.pixels(o.size.x), map.pixels(o.size.y), angle_of(o));
+    const Points points =
+        rectangle(map.point(solid.box.center), map.pixels(o.size.x), map.pixels(o.size.y), angle_of(o));
     outline(image, points, 0, robot);
     fill(image, points, 0);
   }
@@ -302,7 +306,8 @@ std::vector<OpeningOcclusion> sceneeval_opening_clearance(const Scene& scene) {
   const Solids solids(scene);
   std::vector<OpeningOcclusion> list;
   for (const Door& d : scene.space.doors)
-    if (const auto at = frame(scene.space, d)) list.push_back(occlusion(solids, d.id, true, *at, d.width, 0, d.height, d.width));
+    if (const auto at = frame(scene.space, d))
+      list.push_back(occlusion(solids, d.id, true, *at, d.width, 0, d.height, d.width));
   for (const Window& w : scene.space.windows) {
     const auto at = frame(scene.space, Door{.id = {}, .wall = w.wall, .from = w.from, .width = w.width});
     if (at) list.push_back(occlusion(solids, w.id, false, *at, w.width, w.sill, w.height, 0.5));

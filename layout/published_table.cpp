@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include "geometry/polygon.h"
-#include "layout/solids.h"
 #include "layout/published_metrics.h"
+#include "layout/solids.h"
 
 /// All published measures of a scene in one table.
 namespace inhabit::layout {
@@ -49,7 +49,8 @@ void relations(const Solids& solids, Table& table) {
     if (c.distance > 0.3) continue;  // not "against" the wall
     for (const std::uint32_t i : objects_of(scene, c.members)) {
       ++walls;
-      at_wall += solid_of[i] != nullptr && sceneeval_relation(Relation::against_wall, wall_gap(scene, solid_of[i]->box)) >= 0.5;
+      at_wall += solid_of[i] != nullptr &&
+                 sceneeval_relation(Relation::against_wall, wall_gap(scene, solid_of[i]->box)) >= 0.5;
     }
   }
   for (const Orientation& c : scene.constraints.of<Orientation>()) {
@@ -117,7 +118,8 @@ PublishedMetrics published_metrics(const Scene& scene, std::uint64_t seed) {
   const DiffuScene d = diffuscene(scene);
   table.add("DiffuScene", "mean_iou", d.mean_iou);
   table.add("DiffuScene", "intersecting_pairs", d.intersecting);
-  table.add("DiffuScene", "symmetric_pairs", d.symmetric ? std::optional(static_cast<double>(*d.symmetric)) : std::nullopt);
+  table.add("DiffuScene", "symmetric_pairs",
+            d.symmetric ? std::optional(static_cast<double>(*d.symmetric)) : std::nullopt);
   table.add("Infinigen", "freespace_2d", infinigen_freespace_2d(scene), "%");
 
   table.result.left_out = {

@@ -28,7 +28,7 @@ struct Solids {
   Floor floor;
   Relations relations;
   std::vector<Solid> list;  ///< the objects that have a position, in order
-  BoxGrid grid;            ///< over `list`
+  BoxGrid grid;             ///< over `list`
 
   const Object& object(const Solid& solid) const { return scene.objects[solid.object]; }
   const std::string& id(const Solid& solid) const { return object(solid).id; }
