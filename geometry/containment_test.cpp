@@ -69,7 +69,7 @@ TEST_CASE("outside_depth is zero exactly when no sample of the box is off the fl
                 rng.uniform(0.05, 0.8),
                 rng.uniform(0.05, 0.8)};
     double deepest = 0;
-    constexpr int kSteps = 60;
+    constexpr int kSteps = 20;
     for (int i = 0; i <= kSteps; ++i)
       for (int j = 0; j <= kSteps; ++j) {
         const Vec2 p = b.center + (2.0 * i / kSteps - 1) * b.half_depth * b.front +
