@@ -32,7 +32,8 @@ struct Sh3dRooms {
 
 /// A .sh3d file written.
 struct Sh3dFile {
-  std::string bytes;
+  std::string bytes;  ///< the .sh3d archive
+  std::string xml;    ///< Home.xml alone, with all references to content: what Sweet Home 3D's own examples are
   std::size_t moved = 0, added = 0;
   std::vector<std::string> warnings;  ///< what had to be left out, for people
 };

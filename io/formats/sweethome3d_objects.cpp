@@ -13,6 +13,7 @@ using scene::Object;
 using scene::Ref;
 
 constexpr double kThin = 0.03;   // metres: what is lower is walked over
+constexpr double kSunk = 0.05;   // metres beyond the wall's face
 constexpr double kTouch = 0.03;  // how far a base may be from the top that carries it
 
 Ref object_ref(std::size_t i) { return {Ref::Kind::object, static_cast<std::uint32_t>(i)}; }
@@ -57,6 +58,7 @@ class Furnisher {
   void finish() {
     find_carriers();
     for (Object& o : scene_.objects) o.mount = mount_of(o, scene_.space);
+    fix_what_is_built_in();
     switch_collisions_off();
   }
 
@@ -129,6 +131,31 @@ class Furnisher {
         if ((!at_top && !on_shelf) || area >= smallest || !stands_within(objects[i], lower)) continue;
         smallest = area;
         objects[i].on = object_ref(k);
+      }
+    }
+  }
+
+  /// What hangs or stands sunk into a wall (plants in a window's niche, a television in its recess) stays there, and so does
+  /// the rest of a rigid group of which something stays.
+  void fix_what_is_built_in() {
+    for (Object& o : scene_.objects) {
+      if (o.position->z <= 0.05 || !o.on.none()) continue;
+      for (const Vec2 c : box_of(o).corners()) {
+        if (!contains(scene_.space.outline, c) && nearest_on_ring(scene_.space.outline, c).distance > kSunk) o.fixed = true;
+      }
+    }
+    // Members stand before the groups that hold them, so that one pass up and one down reach all.
+    auto& groups = scene_.groups;
+    std::vector<bool> fixed(groups.size());
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      for (const Ref m : groups[g].members)
+        fixed[g] = fixed[g] || (m.kind == Ref::Kind::object ? scene_.objects[m.index].fixed : fixed[m.index]);
+    }
+    for (std::size_t g = groups.size(); g-- > 0;) {
+      for (const Ref m : groups[g].members) {
+        if (!fixed[g]) break;
+        if (m.kind == Ref::Kind::object) scene_.objects[m.index].fixed = true;
+        if (m.kind == Ref::Kind::group) fixed[m.index] = true;
       }
     }
   }

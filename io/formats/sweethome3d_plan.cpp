@@ -201,15 +201,14 @@ Ring center_line(const Wall& wall) {
   const double length_of_chord = length(chord), extent = wall.arc_extent;
   if (std::abs(extent) < 1e-3 || std::abs(extent) > 2 * kPi - 1e-3 || length_of_chord < 1e-3)
     return {wall.start, wall.end};
-  // The centre lies at the chord's middle, moved to the screen's left of the wall for a positive extent below pi.
-  const Vec2 left{chord.y, -chord.x};
-  const Vec2 center = 0.5 * (wall.start + wall.end) + (0.5 / std::tan(extent / 2)) * left;
+  // A positive extent bulges to the screen's left of the wall, so that the centre lies to its right (below pi).
+  const Vec2 right{-chord.y, chord.x};
+  const Vec2 center = 0.5 * (wall.start + wall.end) + (0.5 / std::tan(extent / 2)) * right;
   const Vec2 arm = wall.start - center;
   const double steps = std::max(std::abs(extent) / radians(5), std::abs(extent) * length(arm) / 20);
   const int n = static_cast<int>(std::clamp(std::ceil(steps), 2.0, 360.0));
   Ring line;
-  // From start to end the arc turns counter-clockwise on the screen for a positive extent, which is minus in a y-down frame.
-  for (int i = 0; i <= n; ++i) line.push_back(center + rotate(arm, direction(-extent * i / n)));
+  for (int i = 0; i <= n; ++i) line.push_back(center + rotate(arm, direction(extent * i / n)));
   line.back() = wall.end;
   return line;
 }
