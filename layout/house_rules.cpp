@@ -19,26 +19,46 @@ struct Stand {
 };
 
 constexpr std::array kStands = {
-    Stand{"bed", true, {0.4, 0, 0, 0}},           Stand{"bunk bed", true, {0.4, 0, 0, 0}},
-    Stand{"wardrobe", true, {0.6, 0, 0, 0}},      Stand{"dresser", true, {0.6, 0, 0, 0}},
-    Stand{"chest", true, {0.4, 0, 0, 0}},         Stand{"bookcase", true, {0.5, 0, 0, 0}},
-    Stand{"cupboard", true, {0.5, 0, 0, 0}},      Stand{"filing cabinet", true, {0.5, 0, 0, 0}},
-    Stand{"desk", true, {0.6, 0, 0, 0}},          Stand{"dressing table", true, {0.5, 0, 0, 0}},
-    Stand{"sofa", true, {0.4, 0, 0, 0}},          Stand{"tv stand", true, {0.5, 0, 0, 0}},
-    Stand{"kitchen cabinet", true, {0.6, 0, 0, 0}}, Stand{"counter", true, {0.6, 0, 0, 0}},
-    Stand{"fridge", true, {0.6, 0, 0, 0}},        Stand{"cooker", true, {0.6, 0, 0, 0}},
-    Stand{"dishwasher", true, {0.6, 0, 0, 0}},    Stand{"washing machine", true, {0.6, 0, 0, 0}},
-    Stand{"chest freezer", true, {0.5, 0, 0, 0}}, Stand{"sink", true, {0.6, 0, 0, 0}},
-    Stand{"kitchen island", false, {0.6, 0, 0, 0}}, Stand{"washbasin", true, {0.5, 0, 0, 0}},
-    Stand{"toilet", true, {0.5, 0, 0, 0}},        Stand{"bidet", true, {0.5, 0, 0, 0}},
-    Stand{"bath", true, {0, 0, 0, 0}},            Stand{"shower", true, {0.4, 0, 0, 0}},
-    Stand{"piano", true, {0.6, 0, 0, 0}},         Stand{"aquarium", true, {0.3, 0, 0, 0}},
-    Stand{"coat rack", true, {0.3, 0, 0, 0}},     Stand{"floor lamp", true, {}},
-    Stand{"plant", true, {}},                     Stand{"trash can", true, {}},
-    Stand{"upper cabinet", true, {}},             Stand{"hood", true, {}},
-    Stand{"radiator", true, {}},                  Stand{"mirror", true, {}},
-    Stand{"picture", true, {}},                   Stand{"shelf", true, {}},
-    Stand{"wall lamp", true, {}},                 Stand{"curtain", true, {}},
+    Stand{"bed", true, {0.4, 0, 0, 0}},
+    Stand{"bunk bed", true, {0.4, 0, 0, 0}},
+    Stand{"wardrobe", true, {0.6, 0, 0, 0}},
+    Stand{"dresser", true, {0.6, 0, 0, 0}},
+    Stand{"chest", true, {0.4, 0, 0, 0}},
+    Stand{"bookcase", true, {0.5, 0, 0, 0}},
+    Stand{"cupboard", true, {0.5, 0, 0, 0}},
+    Stand{"filing cabinet", true, {0.5, 0, 0, 0}},
+    Stand{"desk", true, {0.6, 0, 0, 0}},
+    Stand{"dressing table", true, {0.5, 0, 0, 0}},
+    Stand{"sofa", true, {0.4, 0, 0, 0}},
+    Stand{"tv stand", true, {0.5, 0, 0, 0}},
+    Stand{"kitchen cabinet", true, {0.6, 0, 0, 0}},
+    Stand{"counter", true, {0.6, 0, 0, 0}},
+    Stand{"fridge", true, {0.6, 0, 0, 0}},
+    Stand{"cooker", true, {0.6, 0, 0, 0}},
+    Stand{"dishwasher", true, {0.6, 0, 0, 0}},
+    Stand{"washing machine", true, {0.6, 0, 0, 0}},
+    Stand{"chest freezer", true, {0.5, 0, 0, 0}},
+    Stand{"sink", true, {0.6, 0, 0, 0}},
+    Stand{"kitchen island", false, {0.6, 0, 0, 0}},
+    Stand{"washbasin", true, {0.5, 0, 0, 0}},
+    Stand{"toilet", true, {0.5, 0, 0, 0}},
+    Stand{"bidet", true, {0.5, 0, 0, 0}},
+    Stand{"bath", true, {0, 0, 0, 0}},
+    Stand{"shower", true, {0.4, 0, 0, 0}},
+    Stand{"piano", true, {0.6, 0, 0, 0}},
+    Stand{"aquarium", true, {0.3, 0, 0, 0}},
+    Stand{"coat rack", true, {0.3, 0, 0, 0}},
+    Stand{"floor lamp", true, {}},
+    Stand{"plant", true, {}},
+    Stand{"trash can", true, {}},
+    Stand{"upper cabinet", true, {}},
+    Stand{"hood", true, {}},
+    Stand{"radiator", true, {}},
+    Stand{"mirror", true, {}},
+    Stand{"picture", true, {}},
+    Stand{"shelf", true, {}},
+    Stand{"wall lamp", true, {}},
+    Stand{"curtain", true, {}},
     Stand{"toilet paper", true, {}},
 };
 
@@ -56,31 +76,22 @@ struct Seek {
 
 /// In order of preference: a chair takes the first row whose other exists and has room.
 constexpr std::array kSeeks = {
-    Seek{"office chair", "desk", Bond::seat, 1},
-    Seek{"chair", "dining table", Bond::seat, 8},
-    Seek{"chair", "table", Bond::seat, 6},
-    Seek{"chair", "desk", Bond::seat, 1},
-    Seek{"chair", "dressing table", Bond::seat, 1},
-    Seek{"office chair", "table", Bond::seat, 2},
-    Seek{"piano bench", "piano", Bond::seat, 1},
-    Seek{"stool", "counter", Bond::seat, 6},
-    Seek{"stool", "kitchen island", Bond::seat, 6},
-    Seek{"stool", "dressing table", Bond::seat, 1},
-    Seek{"stool", "table", Bond::seat, 4},
-    Seek{"armchair", "coffee table", Bond::seat, 4},
-    Seek{"ottoman", "armchair", Bond::beside, 1},
-    Seek{"sofa", "tv", Bond::view},
-    Seek{"sofa", "tv stand", Bond::view},
-    Seek{"coffee table", "sofa", Bond::beside, 1},
-    Seek{"side table", "sofa", Bond::beside, 2},
-    Seek{"bedside table", "bed", Bond::beside, 2},
+    Seek{"office chair", "desk", Bond::seat, 1},    Seek{"chair", "dining table", Bond::seat, 8},
+    Seek{"chair", "table", Bond::seat, 6},          Seek{"chair", "desk", Bond::seat, 1},
+    Seek{"chair", "dressing table", Bond::seat, 1}, Seek{"office chair", "table", Bond::seat, 2},
+    Seek{"piano bench", "piano", Bond::seat, 1},    Seek{"stool", "counter", Bond::seat, 6},
+    Seek{"stool", "kitchen island", Bond::seat, 6}, Seek{"stool", "dressing table", Bond::seat, 1},
+    Seek{"stool", "table", Bond::seat, 4},          Seek{"armchair", "coffee table", Bond::seat, 4},
+    Seek{"ottoman", "armchair", Bond::beside, 1},   Seek{"sofa", "tv", Bond::view},
+    Seek{"sofa", "tv stand", Bond::view},           Seek{"coffee table", "sofa", Bond::beside, 1},
+    Seek{"side table", "sofa", Bond::beside, 2},    Seek{"bedside table", "bed", Bond::beside, 2},
     Seek{"pet bed", "sofa", Bond::beside, 1},
 };
 
-constexpr double kGap = 0.05;       // metres between a seat and the edge that it stands at
-constexpr double kLegroom = 0.45;   // between a sofa and its coffee table
+constexpr double kGap = 0.05;                       // metres between a seat and the edge that it stands at
+constexpr double kLegroom = 0.45;                   // between a sofa and its coffee table
 constexpr double kView = 1.2, kFarthestView = 4.5;  // of a television, metres
-constexpr double kWish = 0.5;       // stiffness of a wish that may give way
+constexpr double kWish = 0.5;                       // stiffness of a wish that may give way
 
 Ref ref(std::size_t i) { return {Ref::Kind::object, static_cast<std::uint32_t>(i)}; }
 
@@ -122,7 +133,8 @@ class Rules {
     WallDistance back;
     WallOrientation turned;
     for (std::size_t i = 0; i < kinds_.size(); ++i) {
-      const auto row = std::find_if(kStands.begin(), kStands.end(), [&](const Stand& s) { return s.kind == kinds_[i]; });
+      const auto row =
+          std::find_if(kStands.begin(), kStands.end(), [&](const Stand& s) { return s.kind == kinds_[i]; });
       if (row == kStands.end() || !free_[i] || !scene_.objects[i].on.none()) continue;
       Object& o = scene_.objects[i];
       if (!o.clearance.any()) o.clearance = row->clearance;
@@ -146,7 +158,8 @@ class Rules {
     return std::find(members.list.begin(), members.list.end(), ref(i)) != members.list.end();
   }
 
-  /// Every thing that seeks another gets the best one with room: the nearest where both have a place, else the emptiest.
+  /// Every thing that seeks another gets the best one with room: the nearest where both have a place, else the
+  /// emptiest.
   void seek() {
     std::vector<bool> bound(kinds_.size());
     for (const Seek& rule : kSeeks) {
@@ -162,7 +175,8 @@ class Rules {
     }
   }
 
-  std::size_t choose(const Seek& rule, std::size_t i, const std::map<std::size_t, std::vector<std::size_t>>& gathered) const {
+  std::size_t choose(const Seek& rule, std::size_t i,
+                     const std::map<std::size_t, std::vector<std::size_t>>& gathered) const {
     std::size_t best = kinds_.size();
     double least = 1e300;
     for (std::size_t k = 0; k < kinds_.size(); ++k) {
@@ -171,8 +185,8 @@ class Rules {
       const std::size_t taken = found == gathered.end() ? 0 : found->second.size();
       if (taken >= rule.at_most) continue;
       const Object &a = scene_.objects[i], &b = scene_.objects[k];
-      const double cost = a.position && b.position ? length(a.position->xy() - b.position->xy())
-                                                   : 1e6 + static_cast<double>(taken);
+      const double cost =
+          a.position && b.position ? length(a.position->xy() - b.position->xy()) : 1e6 + static_cast<double>(taken);
       if (cost < least) least = cost, best = k;
     }
     return best;

@@ -12,7 +12,8 @@ constexpr std::array kTable = {
     KindRow{"stairs", building, "staircase|stairs|stairway|escalator|stair"},
     KindRow{"railing", building, "railing|rails|fence|pedestrian railing|iron railing"},
     KindRow{"building part", building,
-            "beam|slope|roof|roof part|pole|pipe|column|chimney|garage door|garage roof|elevator|sliding doors|doorframe|door frame"},
+            "beam|slope|roof|roof part|pole|pipe|column|chimney|garage door|garage roof|elevator|sliding "
+            "doors|doorframe|door frame"},
     KindRow{"fireplace", building, "fireplace"},
     KindRow{"curtain", wall, "curtain|curtains|blind|blinds|shutter|shower curtain"},
     KindRow{"rug", flat, "rug|carpet|doormat|bathmat|tatami|round carpet|mat|parking slot"},
@@ -36,7 +37,8 @@ constexpr std::array kTable = {
     KindRow{"floor lamp", furniture, "floor lamp|floor uplight|standing lamp|pedestal vase lamp"},
     KindRow{"wall lamp", wall, "wall uplight|wall light|wall spotlight|wall lamp|sconce"},
     KindRow{"ceiling lamp", ceiling,
-            "pendant lamp|ceiling lamp|hanging light|chandelier lamp|chandelier|spotlight|ceiling fan|track lights|light source"},
+            "pendant lamp|ceiling lamp|hanging light|chandelier lamp|chandelier|spotlight|ceiling fan|track "
+            "lights|light source"},
     KindRow{"desktop computer", small, "desktop|computer|laptop|screen|keyboard|apple imac|notebook"},
     KindRow{"desk", furniture, "desk|wooden desk|office desk|workbench|desk table"},
     KindRow{"dressing table", furniture, "dressing table|vanity|double vanity"},
@@ -52,8 +54,10 @@ constexpr std::array kTable = {
     KindRow{"bookcase", furniture, "bookcase|bookshelf|shelving unit|shelvingunit|filled bookcase|vertical shelves"},
     KindRow{"filing cabinet", furniture, "filing cabinet|locker|safe"},
     KindRow{"washbasin", furniture, "washbasin|wash basin|basin|small lavatory|sink cabinet washbasin"},
-    KindRow{"upper cabinet", wall, "upper cabinet|kitchen upper cabinet|small upper cabinet|upper corner cabinet|medicine box"},
-    KindRow{"kitchen cabinet", furniture, "kitchen cabinet|lower cabinet|high cabinet|sink cabinet|lower corner cabinet"},
+    KindRow{"upper cabinet", wall,
+            "upper cabinet|kitchen upper cabinet|small upper cabinet|upper corner cabinet|medicine box"},
+    KindRow{"kitchen cabinet", furniture,
+            "kitchen cabinet|lower cabinet|high cabinet|sink cabinet|lower corner cabinet"},
     KindRow{"kitchen island", furniture, "countertop island|island|island extension"},
     KindRow{"counter", furniture, "countertop|counter top|counter|bar"},
     KindRow{"cupboard", furniture, "cupboard|cabinet|sideboard|buffet|glass door cabinet"},
@@ -83,7 +87,8 @@ constexpr std::array kTable = {
     KindRow{"microwave", small, "microwave|toaster|coffee machine|coffee maker|blender|mixer"},
     KindRow{"candle", small, "candle|statue|tabletop decor|table top decor|teddy bear|doll|figurine"},
     KindRow{"small thing", small,
-            "book|pillow|pen|pencil|egg|keychain|credit card|cellphone|watch|newspaper|alarm clock|soap|spray bottle|tissue box|apple"
+            "book|pillow|pen|pencil|egg|keychain|credit card|cellphone|watch|newspaper|alarm clock|soap|spray "
+            "bottle|tissue box|apple"
             "|bread|potato|tomato|lettuce|cd|sponge|towel|hand towel|phone|shaker|spatula|ladle|cloth|radio|speaker"},
 };
 

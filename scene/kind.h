@@ -3,7 +3,8 @@
 #include <string>
 #include <string_view>
 
-/// What sort of thing an object is, from whatever its maker called it: one vocabulary for all formats and for the house rules.
+/// What sort of thing an object is, from whatever its maker called it: one vocabulary for all formats and for the house
+/// rules.
 namespace inhabit::scene {
 
 /// How things of a kind relate to the room.
@@ -29,8 +30,8 @@ std::span<const KindRow> kind_table();
 /// The row of a normalised kind; nullptr when it is none.
 const KindRow* find_kind(std::string_view kind);
 
-/// The kind of a thing by its name ("Bedside table", "Dining_Table_16_2", "TVStand", "eTeks#kitchenUpperCabinet"): words are
-/// split at case changes, digits and punctuation. "" when no row matches.
+/// The kind of a thing by its name ("Bedside table", "Dining_Table_16_2", "TVStand", "eTeks#kitchenUpperCabinet"):
+/// words are split at case changes, digits and punctuation. "" when no row matches.
 std::string_view kind_of(std::string_view name);
 /// By its name, else by its catalogue id; a "table" no higher than 0.55 m is a "coffee table".
 std::string_view kind_of(std::string_view name, std::string_view catalog_id, double height);

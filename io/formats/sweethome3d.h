@@ -20,8 +20,8 @@ struct Sh3dHome {
   std::vector<std::string> entries;  ///< names of the archive's entries, in its order
 };
 
-/// What a home holds, as scenes. Where every piece went can be added up: pieces = objects + doors + windows of the scenes
-/// (a door between two rooms counts twice there) + `outside` + `hidden`.
+/// What a home holds, as scenes. Where every piece went can be added up: pieces = objects + doors + windows of the
+/// scenes (a door between two rooms counts twice there) + `outside` + `hidden`.
 struct Sh3dRooms {
   std::vector<scene::Scene> scenes;   ///< one per `<room>`, in document order
   std::vector<std::string> outside;   ///< pieces, doors and windows that no room contains, by name and place
@@ -38,14 +38,14 @@ struct Sh3dFile {
   std::vector<std::string> warnings;  ///< what had to be left out, for people
 };
 
-/// Reads the archive or the XML and checks every number in it. Nothing is ever extracted to disk. Errors name the entry,
-/// line and column. An old .sh3d without Home.xml (Java serialisation only) is an error that says so.
+/// Reads the archive or the XML and checks every number in it. Nothing is ever extracted to disk. Errors name the
+/// entry, line and column. An old .sh3d without Home.xml (Java serialisation only) is an error that says so.
 Result<Sh3dHome> open_sh3d(std::string bytes);
 
-/// One scene per room. The outline is the room's polygon, cut back to the inner wall faces where it reaches under a wall by
-/// more than a centimetre; where the plan is open the outline's side is a wall to us, though nothing is built there. Walls
-/// that stand free in the room are holes. Things that do not move in the home (`movable='false'`), stairs, curtains and
-/// other parts of the building are fixed. Rugs and whatever is lower than 3 cm collide with nothing.
+/// One scene per room. The outline is the room's polygon, cut back to the inner wall faces where it reaches under a
+/// wall by more than a centimetre; where the plan is open the outline's side is a wall to us, though nothing is built
+/// there. Walls that stand free in the room are holes. Things that do not move in the home (`movable='false'`), stairs,
+/// curtains and other parts of the building are fixed. Rugs and whatever is lower than 3 cm collide with nothing.
 Result<Sh3dRooms> read_rooms(const Sh3dHome& home);
 
 /// The scenes of read_rooms alone.
@@ -58,7 +58,8 @@ Result<std::vector<scene::Scene>> rooms(const Sh3dHome& home);
 /// Sweet Home 3D refuses a file with such a reference. Doors, windows and walls are never changed.
 Result<Sh3dFile> write_sh3d(const Sh3dHome& home, std::span<const scene::Scene> furnished);
 
-/// A home of one level and one room for a scene that never was one: walls, doors, windows, and every placed object as a box.
+/// A home of one level and one room for a scene that never was one: walls, doors, windows, and every placed object as a
+/// box.
 Result<Sh3dFile> write_sh3d_new(const scene::Scene& scene);
 
 }  // namespace inhabit::io

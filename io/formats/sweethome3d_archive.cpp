@@ -47,7 +47,8 @@ Result<Archive> open_archive(const std::string& bytes) {
 
 std::optional<Error> why_refused(const zip_stat_t& entry, std::uint64_t& total) {
   const std::string name = entry.name;
-  if ((entry.valid & ZIP_STAT_SIZE) == 0 || (entry.valid & ZIP_STAT_COMP_SIZE) == 0) return broken(name, "no size is given");
+  if ((entry.valid & ZIP_STAT_SIZE) == 0 || (entry.valid & ZIP_STAT_COMP_SIZE) == 0)
+    return broken(name, "no size is given");
   if ((entry.valid & ZIP_STAT_ENCRYPTION_METHOD) != 0 && entry.encryption_method != ZIP_EM_NONE)
     return Error{ErrorCode::unsupported, "is encrypted", name};
   if (entry.size > kMostUnpacked || (total += entry.size) > kMostUnpacked)

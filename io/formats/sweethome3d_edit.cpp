@@ -87,7 +87,8 @@ std::string percent_decoded(std::string_view text) {
 }
 
 bool is_url(std::string_view text) {
-  return text.starts_with("jar:") || text.starts_with("file:") || text.starts_with("http:") || text.starts_with("https:");
+  return text.starts_with("jar:") || text.starts_with("file:") || text.starts_with("http:") ||
+         text.starts_with("https:");
 }
 
 }  // namespace
@@ -106,7 +107,8 @@ std::string edited(std::string_view xml, std::vector<Edit> edits) {
 
 Edit set_attribute(std::string_view xml, std::size_t element, std::string_view name, std::string_view value) {
   const Tag tag{xml, element};
-  if (const auto span = tag.find(name)) return {span->value_begin, span->value_end - span->value_begin, std::string(value)};
+  if (const auto span = tag.find(name))
+    return {span->value_begin, span->value_end - span->value_begin, std::string(value)};
   std::string text(" ");
   text.append(name).append("='").append(value).append("'");
   return {tag.name_end(), 0, text};
@@ -118,7 +120,8 @@ Stripped strip_missing(std::string_view xml, const pugi::xml_document& document,
     const std::set<std::string>* entries = nullptr;
     Stripped out;
     bool missing(const pugi::xml_attribute& a) const {
-      return a && !is_url(a.value()) && entries->count(a.value()) == 0 && entries->count(percent_decoded(a.value())) == 0;
+      return a && !is_url(a.value()) && entries->count(a.value()) == 0 &&
+             entries->count(percent_decoded(a.value())) == 0;
     }
     bool for_each(pugi::xml_node& node) override {
       if (node.type() != pugi::node_element) return true;
@@ -155,12 +158,18 @@ std::string float_text(double value) {
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
-    if (c == '&') out += "&amp;";
-    else if (c == '<') out += "&lt;";
-    else if (c == '>') out += "&gt;";
-    else if (c == '\'') out += "&apos;";
-    else if (static_cast<unsigned char>(c) >= 0x20) out += c;
-    else out += ' ';
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '\'')
+      out += "&apos;";
+    else if (static_cast<unsigned char>(c) >= 0x20)
+      out += c;
+    else
+      out += ' ';
   }
   return out;
 }

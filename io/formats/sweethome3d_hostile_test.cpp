@@ -103,8 +103,7 @@ TEST_CASE("document types are refused and entities stay inert") {
 }
 
 TEST_CASE("wrong numbers are named with element and line and column") {
-  CHECK(error_of(with("x='300'", "x='ten'")) ==
-        "Home.xml, line 3, column 4: <pieceOfFurniture> x='ten' is no number");
+  CHECK(error_of(with("x='300'", "x='ten'")) == "Home.xml, line 3, column 4: <pieceOfFurniture> x='ten' is no number");
   CHECK(error_of(with("x='300'", "x='NaN'")).find("is no number") != std::string::npos);
   CHECK(error_of(with("x='300'", "x='Infinity'")).find("is no number") != std::string::npos);
   CHECK(error_of(with("x='300'", "x='1e400'")).find("is no number") != std::string::npos);

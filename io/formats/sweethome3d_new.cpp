@@ -56,7 +56,8 @@ std::string opening_tag(const scene::Space& space, int wall, double from, double
   const Vec2 center = a + (from + width / 2) * s - (kThickness / 2) * inward;
   std::string out("  <doorOrWindow");
   out += attribute("name", name) + place("x", "y", center) + number("elevation", sill * 100);
-  out += number("angle", turn_angle(angle_of(inward))) + number("width", width * 100) + number("depth", kThickness * 100);
+  out +=
+      number("angle", turn_angle(angle_of(inward))) + number("width", width * 100) + number("depth", kThickness * 100);
   return out += number("height", height * 100) + attribute("movable", "false");
 }
 
@@ -77,7 +78,8 @@ std::string box_element(const scene::Object& o, const std::string& level) {
   const std::string& name = !o.name.empty() ? o.name : !o.kind.empty() ? o.kind : o.id;
   std::string out("  <pieceOfFurniture");
   if (!level.empty()) out += attribute("level", escaped(level));
-  out += attribute("name", escaped(name)) + place("x", "y", o.position->xy()) + number("elevation", o.position->z * 100);
+  out +=
+      attribute("name", escaped(name)) + place("x", "y", o.position->xy()) + number("elevation", o.position->z * 100);
   double angle = turn_angle(*o.angle);
   if (angle < 0) angle += 2 * kPi;
   out += number("angle", angle);

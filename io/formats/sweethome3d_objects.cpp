@@ -135,13 +135,14 @@ class Furnisher {
     }
   }
 
-  /// What hangs or stands sunk into a wall (plants in a window's niche, a television in its recess) stays there, and so does
-  /// the rest of a rigid group of which something stays.
+  /// What hangs or stands sunk into a wall (plants in a window's niche, a television in its recess) stays there, and so
+  /// does the rest of a rigid group of which something stays.
   void fix_what_is_built_in() {
     for (Object& o : scene_.objects) {
       if (o.position->z <= 0.05 || !o.on.none()) continue;
       for (const Vec2 c : box_of(o).corners()) {
-        if (!contains(scene_.space.outline, c) && nearest_on_ring(scene_.space.outline, c).distance > kSunk) o.fixed = true;
+        if (!contains(scene_.space.outline, c) && nearest_on_ring(scene_.space.outline, c).distance > kSunk)
+          o.fixed = true;
       }
     }
     // Members stand before the groups that hold them, so that one pass up and one down reach all.
@@ -160,8 +161,8 @@ class Furnisher {
     }
   }
 
-  /// Rugs are walked over; what stands inside its carrier (on the seat, in the basin) is no collision either; and things
-  /// that never move overlap as their owner wanted.
+  /// Rugs are walked over; what stands inside its carrier (on the seat, in the basin) is no collision either; and
+  /// things that never move overlap as their owner wanted.
   void switch_collisions_off() {
     const auto& objects = scene_.objects;
     for (std::size_t i = 0; i < objects.size(); ++i) {

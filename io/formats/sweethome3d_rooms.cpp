@@ -14,8 +14,8 @@ void each_leaf(const Piece& piece, bool seen, bool fixed, const auto& visit) {
   for (const Piece& child : piece.children) each_leaf(child, seen, fixed, visit);
 }
 
-/// The room that p stands in: on its level, one with a floor before one with only a ceiling, the smallest of those; else
-/// one at most 5 cm away, for what is sunk into a wall.
+/// The room that p stands in: on its level, one with a floor before one with only a ceiling, the smallest of those;
+/// else one at most 5 cm away, for what is sunk into a wall.
 RoomDraft* room_at(std::vector<RoomDraft>& rooms, const std::string& level, Vec2 p) {
   RoomDraft* best = nullptr;
   for (RoomDraft& r : rooms) {

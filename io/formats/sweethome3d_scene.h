@@ -32,7 +32,7 @@ struct Leaf {
 /// One room on its way to become a scene.
 struct RoomDraft {
   scene::Scene scene;
-  Ring polygon;               ///< as drawn, metres, counter-clockwise; empty when it is no polygon
+  Ring polygon;  ///< as drawn, metres, counter-clockwise; empty when it is no polygon
   const Room* room = nullptr;
   double area = 0;
   Ids ids;

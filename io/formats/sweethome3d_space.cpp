@@ -10,7 +10,7 @@
 namespace inhabit::io::sh3d {
 namespace {
 
-constexpr double kSliver = 0.01;       // metres: a polygon this little under a wall follows its face
+constexpr double kSliver = 0.01;        // metres: a polygon this little under a wall follows its face
 constexpr double kSmallestRoom = 1e-3;  // square metres
 
 /// Our ring of plan points: counter-clockwise, without corners nearer than 0.1 mm to the one before.
@@ -148,7 +148,10 @@ std::string Ids::next(std::string_view name) {
 
 bool is_door(const Piece& opening) {
   std::string words(" ");
-  words.append(scene::words_of(opening.catalog_id, ' ')).append(" ").append(scene::words_of(opening.name, ' ')).append(" ");
+  words.append(scene::words_of(opening.catalog_id, ' '))
+      .append(" ")
+      .append(scene::words_of(opening.name, ' '))
+      .append(" ");
   if (words.find("door ") != std::string::npos || words.find(" doors ") != std::string::npos) return true;
   // A window down to the floor and as high as a person is walked through, unless it cannot be opened.
   return words.find(" fixed ") == std::string::npos && opening.elevation <= 20 && opening.height >= 180;
@@ -157,7 +160,12 @@ bool is_door(const Piece& opening) {
 std::string describe(const Piece& piece) {
   const std::string name = piece.name.empty() ? piece.catalog_id : piece.name;
   std::string text("\"");
-  text.append(name).append("\" at (").append(fixed(piece.p.x, 0)).append(", ").append(fixed(piece.p.y, 0)).append(") cm");
+  text.append(name)
+      .append("\" at (")
+      .append(fixed(piece.p.x, 0))
+      .append(", ")
+      .append(fixed(piece.p.y, 0))
+      .append(") cm");
   return piece.level.empty() ? text : text.append(" on ").append(piece.level);
 }
 
@@ -192,7 +200,8 @@ bool place_opening(const Piece& opening, std::vector<RoomDraft>& rooms) {
     if (!fit) continue;
     placed = true;
     if (is_door(opening)) {
-      scene::Door door{draft.ids.next("door"), static_cast<int>(fit->side), fit->from, fit->width, opening.height / 100};
+      scene::Door door{draft.ids.next("door"), static_cast<int>(fit->side), fit->from, fit->width,
+                       opening.height / 100};
       set_swing(opening, space.outline, door);
       door.extras = origin_of(opening);
       space.doors.push_back(std::move(door));

@@ -27,8 +27,9 @@ std::string slurp(const std::filesystem::path& path) {
 /// The real homes, sorted; none where the data is absent.
 std::vector<std::filesystem::path> home_files() {
   const char* elsewhere = std::getenv("INHABIT_DATA");
-  const std::filesystem::path data =
-      elsewhere != nullptr ? std::filesystem::path(elsewhere) : std::filesystem::path(INHABIT_SOURCE_DIR) / "../shared/data";
+  const std::filesystem::path data = elsewhere != nullptr
+                                         ? std::filesystem::path(elsewhere)
+                                         : std::filesystem::path(INHABIT_SOURCE_DIR) / "../shared/data";
   std::vector<std::filesystem::path> files;
   std::error_code none;
   for (const auto& entry : std::filesystem::directory_iterator(data / "rooms/sweethome3d", none)) {
@@ -84,7 +85,8 @@ const std::string kHome = R"(<?xml version='1.0'?>
 )";
 
 const scene::Object& object(const scene::Scene& scene, const std::string& id) {
-  const auto found = std::find_if(scene.objects.begin(), scene.objects.end(), [&](const auto& o) { return o.id == id; });
+  const auto found =
+      std::find_if(scene.objects.begin(), scene.objects.end(), [&](const auto& o) { return o.id == id; });
   REQUIRE_MESSAGE(found != scene.objects.end(), id);
   return *found;
 }
@@ -128,15 +130,17 @@ TEST_CASE("doors know their wall and their swing and windows their sill") {
   const scene::Space& space = read->scenes[0].space;
   REQUIRE(space.doors.size() == 1);
   const scene::Door& door = space.doors[0];
-  const geometry::Vec2 a = space.wall_start(static_cast<std::size_t>(door.wall)), b = space.wall_end(static_cast<std::size_t>(door.wall));
+  const geometry::Vec2 a = space.wall_start(static_cast<std::size_t>(door.wall)),
+                       b = space.wall_end(static_cast<std::size_t>(door.wall));
   CHECK(a.y == doctest::Approx(-3));
   CHECK(b.y == doctest::Approx(-3));
   CHECK(door.from == doctest::Approx(1.55));
   CHECK(door.width == doctest::Approx(0.9));
   // Turned by half a turn, the front (where the leaf opens to) looks up the screen, into the room.
   CHECK(door.swing == scene::Door::Swing::in);
-  const geometry::Vec2 hinge = door.hinge == scene::Door::Hinge::start ? a + door.from * geometry::unit(b - a)
-                                                                       : a + (door.from + door.width) * geometry::unit(b - a);
+  const geometry::Vec2 hinge = door.hinge == scene::Door::Hinge::start
+                                   ? a + door.from * geometry::unit(b - a)
+                                   : a + (door.from + door.width) * geometry::unit(b - a);
   CHECK(hinge.x == doctest::Approx(2.45));
   REQUIRE(space.windows.size() == 1);
   CHECK(space.windows[0].sill == doctest::Approx(0.9));
@@ -147,7 +151,8 @@ TEST_CASE("things on others and groups in groups keep their relations") {
   const auto home = open_sh3d(kHome);
   const auto read = read_rooms(*home);
   const scene::Scene& scene = read->scenes[0];
-  const auto lamp = std::find_if(scene.objects.begin(), scene.objects.end(), [](const auto& o) { return o.name == "Lamp"; });
+  const auto lamp =
+      std::find_if(scene.objects.begin(), scene.objects.end(), [](const auto& o) { return o.name == "Lamp"; });
   REQUIRE(lamp != scene.objects.end());
   CHECK(scene.id_of(lamp->on) == "bedside-table-1");
   REQUIRE(scene.groups.size() == 2);
@@ -259,7 +264,8 @@ TEST_CASE("a scene that never was a home is written and read back the same") {
   CHECK(geometry::signed_area(space.holes[0].outline) == doctest::Approx(0.16).epsilon(1e-2));
   REQUIRE(space.doors.size() == 4);
   for (std::size_t i = 0; i < 4; ++i) {
-    const geometry::Vec2 was = scene.space.wall_start(i), now = space.wall_start(static_cast<std::size_t>(space.doors[i].wall));
+    const geometry::Vec2 was = scene.space.wall_start(i),
+                         now = space.wall_start(static_cast<std::size_t>(space.doors[i].wall));
     CHECK(geometry::length(was - now) < 2e-3);
     CHECK(space.doors[i].from == doctest::Approx(0.5).epsilon(1e-2));
     CHECK(space.doors[i].swing == scene.space.doors[i].swing);

@@ -156,7 +156,8 @@ Result<Wishes> wishes_of(const Plan& plan, std::span<const scene::Scene> furnish
       const nlohmann::json& piece = (*origin)["piece"];
       const std::string path = piece.is_string() ? piece.get<std::string>() : std::string();
       if (paths.count(path) == 0)
-        return invalid(o.id, "came from piece \"" + path + "\", which this home does not have; is it another home's scene?");
+        return invalid(o.id,
+                       "came from piece \"" + path + "\", which this home does not have; is it another home's scene?");
       wishes.targets[path] = {centimetres(o.position->xy()), o.position->z * 100, turn_angle(*o.angle)};
     }
   }
@@ -211,7 +212,8 @@ Result<Sh3dHome> open_sh3d(std::string bytes) {
     };
     if (!has("Home.xml") && has("Home"))
       return Error{ErrorCode::unsupported,
-                   "holds only the Java-serialised home of Sweet Home 3D before 5.3; open and save it in a newer one", "Home"};
+                   "holds only the Java-serialised home of Sweet Home 3D before 5.3; open and save it in a newer one",
+                   "Home"};
     if (!has("Home.xml")) return invalid("", "the zip archive holds no Home.xml; is this a .sh3d file?");
     auto xml = read_entry(bytes, "Home.xml");
     if (!xml) return xml.error();
