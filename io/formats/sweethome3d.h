@@ -45,7 +45,8 @@ Result<Sh3dHome> open_sh3d(std::string bytes);
 /// One scene per room. The outline is the room's polygon, cut back to the inner wall faces where it reaches under a
 /// wall by more than a centimetre; where the plan is open the outline's side is a wall to us, though nothing is built
 /// there. Walls that stand free in the room are holes. Things that do not move in the home (`movable='false'`), stairs,
-/// curtains and other parts of the building are fixed. Rugs and whatever is lower than 3 cm collide with nothing.
+/// curtains and other parts of the building are fixed. Rugs and what else lies on the floor below 3 cm are a
+/// millimetre high, so that they collide with nothing; the file keeps their height.
 Result<Sh3dRooms> read_rooms(const Sh3dHome& home);
 
 /// The scenes of read_rooms alone.

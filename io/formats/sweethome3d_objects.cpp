@@ -12,6 +12,7 @@ using scene::Mount;
 using scene::Object;
 using scene::Ref;
 
+constexpr double kRugHeight = 0.001;
 constexpr double kThin = 0.03;   // metres: what is lower is walked over
 constexpr double kSunk = 0.05;   // metres beyond the wall's face
 constexpr double kTouch = 0.03;  // how far a base may be from the top that carries it
@@ -75,6 +76,9 @@ class Furnisher {
     std::replace(stem.begin(), stem.end(), ' ', '-');
     o.id = room_.ids.next(stem);
     o.size = {piece.width / 100, piece.depth / 100, piece.height / 100};
+    // Rugs are walked over and stood on: a millimetre high, they collide with nothing.
+    const bool flat = trait_of(o) == KindTrait::flat || piece.height / 100 < kThin;
+    if (flat && piece.elevation <= 5) o.size.z = std::min(o.size.z, kRugHeight);
     const Vec2 p = metres(piece.p);
     o.position = Vec3{p.x, p.y, piece.elevation / 100};
     o.angle = turn_angle(piece.angle);
@@ -161,35 +165,30 @@ class Furnisher {
     }
   }
 
-  /// Rugs are walked over; what stands inside its carrier (on the seat, in the basin) is no collision either; and
-  /// things that never move overlap as their owner wanted.
+  /// What stands inside its carrier (on a seat, in a basin) does not collide with it, and things that never move
+  /// overlap as their owner wanted.
   void switch_collisions_off() {
     const auto& objects = scene_.objects;
+    scene::Collision built;
     for (std::size_t i = 0; i < objects.size(); ++i) {
-      for (std::size_t k = i + 1; k < objects.size(); ++k) {
-        const Object &a = objects[i], &b = objects[k];
-        if (std::min(top(a), top(b)) <= std::max(a.position->z, b.position->z)) continue;
-        const bool rug = walked_over(a) || walked_over(b);
-        const bool carried = a.on == object_ref(k) || b.on == object_ref(i);
-        const bool built = a.fixed && b.fixed && separation(box_of(a), box_of(b)).depth > 0;
-        if (!rug && !carried && !built) continue;
-        if (++pairs_ > kMostPairs) return;
-        scene::Collision off;
-        off.members.list = {object_ref(i), object_ref(k)};
-        off.mode = 2;
-        scene_.constraints.add(off);
-      }
+      const Object& o = objects[i];
+      if (o.fixed) built.members.list.push_back(object_ref(i));
+      if (o.on.none() || o.position->z >= top(objects[o.on.index]) - 1e-3) continue;
+      add_off({object_ref(i), o.on});
     }
+    if (built.members.list.size() > 1) add_off(std::move(built.members.list));
   }
 
-  static bool walked_over(const Object& o) { return o.size.z < kThin || trait_of(o) == KindTrait::flat; }
-
-  static constexpr std::size_t kMostPairs = 100000;
+  void add_off(std::vector<Ref> members) {
+    scene::Collision off;
+    off.members.list = std::move(members);
+    off.mode = 2;
+    scene_.constraints.add(std::move(off));
+  }
 
   RoomDraft& room_;
   scene::Scene& scene_;
   std::vector<double> shelf_;
-  std::size_t pairs_ = 0;
 };
 
 }  // namespace
