@@ -17,16 +17,19 @@ class Expansion {
   Anchor anchor(Ref r) const {
     if (r.kind == Ref::Kind::object) {
       const BoxData& b = p_.data.boxes[p_.box_of_object[r.index]];
-      return {b.body, b.offset, b.turn};
+      return ride(b.body, b.offset, b.turn);
     }
     const std::uint32_t body = p_.body_of_group[r.index];
-    return body != kNone ? Anchor{body, {}, 0} : Anchor{r.index | Anchor::kGroup, {}, 0};
+    return body != kNone ? Anchor{body} : Anchor{r.index | Anchor::kGroup};
   }
   /// Like anchor(), for a rigid group at the centre of its bounding box.
   Anchor face_anchor(Ref r) const {
-    Anchor a = anchor(r);
-    if (r.kind == Ref::Kind::group) a.offset = group_bounds(r.index).center();
-    return a;
+    return r.kind == Ref::Kind::group ? ride(anchor(r).body, group_bounds(r.index).center(), 0) : anchor(r);
+  }
+  Anchor ride(std::uint32_t body, Vec2 offset, double turn) const {
+    if (offset == Vec2{} && turn == 0) return {body};
+    p_.data.riders.push_back({offset, turn});
+    return {body, static_cast<std::uint32_t>(p_.data.riders.size() - 1)};
   }
   std::vector<Ref> members(const Members& m) const {
     return m.all_of.none() ? m.list : scene_.groups[m.all_of.index].members;

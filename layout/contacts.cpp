@@ -12,7 +12,7 @@ constexpr std::size_t kFew = 24;
 
 Contacts::Contacts(const Problem& problem) : p_(problem) {
   const auto& boxes = p_.data.boxes;
-  for (const Zone& z : p_.zones) zone_reach_.push_back(z.radius + (z.owner ? length(z.box.center) : 0));
+  for (std::uint32_t z = 0; z < p_.zones.size(); ++z) zone_reach_.push_back(p_.zone_reach(z));
   all_ = boxes.size() <= kFew;
   if (all_) {
     all_pairs();
@@ -122,7 +122,7 @@ void Contacts::rebuild(const State& x) {
   zone_pairs_.clear();
   for (std::uint32_t z = 0; z < p_.zones.size(); ++z) {
     const Zone& zone = p_.zones[z];
-    const Vec2 at = zone.owner ? x.position(*zone.owner) : zone.box.center;
+    const Vec2 at = zone.owner && !zone.owner->group() ? x.bodies[zone.owner->body].p : zone_center(zone, x);
     const auto consider = [&](std::uint32_t j) {
       const BoxData& d = boxes[j];
       const bool own = zone.owner && zone.owner->body == d.body;

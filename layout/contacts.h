@@ -71,7 +71,7 @@ void Contacts::project_collisions(const State& x, double k, Sink& sink) const {
     if (!near(x.boxes[pair.a], da.radius, x.boxes[pair.b], db.radius)) continue;
     const Separation s = contact(p_, x, pair.a, pair.b);
     if (s.depth <= 0) continue;
-    const Anchor a{da.body, {}, 0}, b{db.body, {}, 0};
+    const Anchor a{da.body}, b{db.body};
     part(a, b, p_.data.bodies[da.body].w, p_.data.bodies[db.body].w, s.normal, -k * s.depth, sink);
     if (da.at_wall && db.at_wall) separate_along_wall(x, pair, s, k, sink);
   }
@@ -89,7 +89,7 @@ void Contacts::separate_along_wall(const State& x, const Pair& pair, const Separ
   const double depth = a.extent(t) + b.extent(t) - std::abs(gap);
   if (depth <= 0) return;
   const std::uint32_t ba = p_.data.boxes[pair.a].body, bb = p_.data.boxes[pair.b].body;
-  part(Anchor{ba, {}, 0}, Anchor{bb, {}, 0}, p_.data.bodies[ba].w, p_.data.bodies[bb].w, gap < 0 ? -t : t, -k * depth, sink);
+  part(Anchor{ba}, Anchor{bb}, p_.data.bodies[ba].w, p_.data.bodies[bb].w, gap < 0 ? -t : t, -k * depth, sink);
 }
 
 template <class Sink>
@@ -103,7 +103,7 @@ void Contacts::project_zones(const State& x, std::span<const double> stiffness, 
     if (dot(gap, gap) >= reach * reach) continue;
     const Separation s = zone_separation(z, box, x, sphere);
     if (s.depth <= 0) continue;
-    const Anchor a{d.body, {}, 0};
+    const Anchor a{d.body};
     const double w = p_.data.bodies[d.body].w, k = stiffness[z.slot];
     if (z.owner) {
       part(a, *z.owner, w, x.w(*z.owner), s.normal, -k * s.depth, sink);

@@ -16,8 +16,8 @@ using namespace scene;
 struct Anchor {
   static constexpr std::uint32_t kGroup = 0x80000000u;
   std::uint32_t body = 0;
-  Vec2 offset;      ///< in the particle's frame
-  double turn = 0;  ///< heading relative to the particle's
+  std::uint32_t rider = kBody;  ///< which of Bodies::riders; kBody: the particle itself
+  static constexpr std::uint32_t kBody = 0xffffffffu;
   bool group() const { return (body & kGroup) != 0; }
   std::uint32_t index() const { return body & ~kGroup; }
 };
@@ -50,7 +50,14 @@ struct GroupData {
   double mass = 0, w = 0;
 };
 
+/// A place on a particle, in its frame.
+struct Rider {
+  Vec2 offset;
+  double turn = 0;
+};
+
 struct Bodies {
+  std::vector<Rider> riders;
   std::vector<BodyData> bodies;
   std::vector<BoxData> boxes;
   std::vector<GroupData> groups;
@@ -78,12 +85,13 @@ struct State {
   Vec2 position(const Anchor& a) const {
     if (a.group()) return group_position(a.index());
     const Body& b = bodies[a.body];
-    return b.p + rotate(a.offset, b.front);
+    return a.rider == Anchor::kBody ? b.p : b.p + rotate(data->riders[a.rider].offset, b.front);
   }
   double angle(const Anchor& a) const {
-    return a.group() ? frames[a.index()].angle : wrap_angle(bodies[a.body].angle + a.turn);
+    if (a.group()) return frames[a.index()].angle;
+    return a.rider == Anchor::kBody ? bodies[a.body].angle : wrap_angle(bodies[a.body].angle + data->riders[a.rider].turn);
   }
-  Vec2 front(const Anchor& a) const { return a.turn == 0 && !a.group() ? bodies[a.body].front : direction(angle(a)); }
+  Vec2 front(const Anchor& a) const { return !a.group() && a.rider == Anchor::kBody ? bodies[a.body].front : direction(angle(a)); }
   double w(const Anchor& a) const {
     if (solo != kNobody && a.body != solo) return 0;
     return a.group() ? data->groups[a.index()].w : data->bodies[a.body].w;

@@ -12,6 +12,8 @@ constexpr double kOverlapEdge = 0.1;
 constexpr std::size_t kFew = 32;
 /// Of the proposals, how many keep to the directions of the walls. People furnish at right angles, and it packs better.
 constexpr double kAligned = 0.9;
+/// While every sampled pose overlaps something, up to so many times as many are sampled.
+constexpr int kLongSearch = 4;
 
 }  // namespace
 
@@ -32,7 +34,7 @@ Placer::Placer(const Problem& problem, State& x) : p_(problem), x_(x) {
     reach_[b] = p_.data.bodies[b].radius;
     for (const std::uint32_t z : p_.zones_of_body[b]) {
       const Zone& zone = p_.zones[z];
-      reach_[b] = std::max(reach_[b], length(zone.owner->offset) + length(zone.box.center) + zone.radius);
+      reach_[b] = std::max(reach_[b], p_.zone_reach(z));
     }
   }
   all_ = n <= kFew;
@@ -218,11 +220,13 @@ double Placer::term_cost(std::uint32_t body, double limit) const {
   return sum + center_cost(body);
 }
 
-double Placer::cost(std::uint32_t body) const {
-  double sum = border_cost(body) + term_cost(body, 1e300);
-  for_neighbours(body, [&](std::uint32_t b) { sum += pair_cost(body, b); });
+double Placer::hard_cost(std::uint32_t body, double limit) const {
+  double sum = border_cost(body);
+  if (sum < limit) for_neighbours(body, [&](std::uint32_t b) { sum += pair_cost(body, b); });
   return sum;
 }
+
+double Placer::cost(std::uint32_t body) const { return hard_cost(body, 1e300) + term_cost(body, 1e300); }
 
 void Placer::overlaps(std::uint32_t body, std::vector<std::pair<std::uint32_t, double>>& out) const {
   out.clear();
@@ -307,14 +311,17 @@ void Placer::fit(std::uint32_t body, bool push) {
 }
 
 double Placer::place(std::uint32_t body, Rng& rng, int tries) {
-  double best = 1e300;
+  double best = 1e300, best_hard = 1e300;
   State::Body pose = x_.bodies[body];
-  for (int t = 0; t < tries && best > 1e-9; ++t) {
+  for (int t = 0; t < kLongSearch * tries && best > 1e-9; ++t) {
+    if (t >= tries && best_hard <= 1e-9) break;
     const Pose q = propose(body, rng);
     x_.place(body, q.p, q.angle);
     fit(body, p_.collisions && (t & 1) != 0);
-    const double c = cost(body);
-    if (c < best) best = c, pose = x_.bodies[body];
+    const double hard = hard_cost(body, best);
+    if (hard >= best) continue;
+    const double c = hard + term_cost(body, best - hard);
+    if (c < best) best = c, best_hard = hard, pose = x_.bodies[body];
   }
   x_.place(body, pose.p, pose.angle, pose.front);
   drop(body);

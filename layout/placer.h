@@ -37,6 +37,8 @@ class Placer {
   };
   Pose propose(std::uint32_t body, Rng& rng) const;
   void fit(std::uint32_t body, bool push);
+  /// Overlaps, zones and the border; stops counting at `limit`.
+  double hard_cost(std::uint32_t body, double limit) const;
   double term_cost(std::uint32_t body, double limit) const;
   double pair_cost(std::uint32_t a, std::uint32_t b) const;
   double border_cost(std::uint32_t body) const;

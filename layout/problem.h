@@ -73,6 +73,13 @@ struct Problem {
     });
   }
 
+  /// Radius of the circle about the zone's particle, or its own centre, that holds it whatever the particle's heading.
+  double zone_reach(std::uint32_t z) const {
+    const Zone& zone = zones[z];
+    if (!zone.owner || zone.owner->group()) return zone.radius;
+    const double ride = zone.owner->rider == Anchor::kBody ? 0 : length(data.riders[zone.owner->rider].offset);
+    return ride + length(zone.box.center) + zone.radius;
+  }
   /// May two boxes touch? False for one body, disjoint heights, and sets that do not collide.
   bool collide(std::uint32_t i, std::uint32_t j) const {
     const BoxData &a = data.boxes[i], &b = data.boxes[j];

@@ -47,7 +47,7 @@ struct Averaged {
   void flush() {
     for (std::uint32_t b = 0; b < shifts.size(); ++b) {
       if (shifts[b] > 0) x.shift(b, (pbd::kAveraging / std::max(1.2, 1.0 * shifts[b])) * shift_sum[b]);
-      if (turns[b] > 0) x.turn(Anchor{b, {}, 0}, pbd::kAveraging / std::max(1.2, 1.0 * turns[b]) * turn_sum[b]);
+      if (turns[b] > 0) x.turn(Anchor{b}, pbd::kAveraging / std::max(1.2, 1.0 * turns[b]) * turn_sum[b]);
       shift_sum[b] = {}, turn_sum[b] = 0, shifts[b] = turns[b] = 0;
     }
   }
@@ -139,7 +139,7 @@ void Solver::project_boundary(double k, Sink& sink) {
   for (std::uint32_t i = 0; i < x_.boxes.size(); ++i) {
     const std::uint32_t body = p_.data.boxes[i].body;
     if (p_.data.bodies[body].w <= 0) continue;
-    p_.room.for_each_violation(x_.boxes[i], [&](Vec2 n, double depth) { sink.shift(Anchor{body, {}, 0}, (k * depth) * n); });
+    p_.room.for_each_violation(x_.boxes[i], [&](Vec2 n, double depth) { sink.shift(Anchor{body}, (k * depth) * n); });
   }
 }
 
@@ -232,8 +232,10 @@ bool Solver::polish() {
   const State saved = x_;
   Direct sink{x_};
   bool done = false;
+  // In a large scene some spot is always jammed: who is still overlapping then moves elsewhere, a few at a time.
+  int moves = placer_ && options_.relocation && p_.data.bodies.size() > kMany ? 4 : 0;
   double last = 1e300;
-  for (int i = 0; i < 64 && !done; ++i) {
+  for (int i = 0; i < 200 && !done; ++i) {
     contacts_.refresh(x_);
     contacts_.project_collisions(x_, 1, sink);
     project_boundary(1, sink);
@@ -241,10 +243,15 @@ bool Solver::polish() {
     const Score s = score();
     done = s.feasible();
     if (done) keep(s);
-    if (s.violation > 0.9 * last) break;
+    if (s.violation > 0.9 * last) {
+      if (moves-- <= 0) break;
+      relocate();
+      last = 1e300;
+      continue;
+    }
     last = s.violation;
   }
-  x_ = saved;
+  x_.bodies = saved.bodies, x_.boxes = saved.boxes, x_.frames = saved.frames;
   return done;
 }
 
