@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/text.h"
+#include "io/file.h"
 
 namespace inhabit::io {
 namespace {
@@ -21,14 +22,6 @@ void append_escaped(std::string& out, std::string_view key) {
       out += c;
     }
   }
-}
-
-std::string line_and_column(std::string_view text, std::size_t offset) {
-  const std::string_view before = text.substr(0, std::min(offset, text.size()));
-  const auto line = std::ranges::count(before, '\n') + 1;
-  const std::size_t start = before.rfind('\n');
-  const std::size_t column = before.size() - (start == std::string_view::npos ? 0 : start + 1);
-  return "line " + std::to_string(line) + ", column " + std::to_string(std::max<std::size_t>(column, 1));
 }
 
 /// The library's sentence without its own prefix and place, which stand in `where`.
@@ -72,7 +65,7 @@ class JsonBuilder {
   bool end_object() { return close(); }
   bool end_array() { return close(); }
   bool parse_error(std::size_t position, const std::string&, const nlohmann::json::exception& e) {
-    error = invalid(line_and_column(text_, position), plain_message(e.what()));
+    error = invalid(line_and_column(text_, position > 0 ? position - 1 : 0), plain_message(e.what()));
     return false;
   }
 
@@ -131,7 +124,7 @@ Result<JsonDocument> JsonDocument::parse(std::string_view text, const JsonLimits
   if (text.size() > limits.bytes) return invalid("", "larger than " + std::to_string(limits.bytes >> 20) + " MiB");
   // The parser would take a zero byte for the end and never look at what follows.
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos)
-    return invalid(line_and_column(text, zero + 1), "a zero byte");
+    return invalid(line_and_column(text, zero), "a zero byte");
   JsonDocument document;
   JsonBuilder builder(document, text, limits);
   if (!nlohmann::json::sax_parse(text.begin(), text.end(), &builder) || builder.error)
