@@ -24,6 +24,9 @@ struct Member {
   M T::*pointer;
   Spec spec;
 };
+// clang 14 does not deduce aggregates.
+template <class T, class M>
+Member(std::string_view, M T::*, Spec) -> Member<T, M>;
 
 template <class T>
 struct Table;

@@ -90,7 +90,8 @@ class SceneWriter {
   void write(const Curve& curve, const Spec&) { object(curve_to_file(curve)); }
   void write(const Constraints& constraints, const Spec&) {
     out_ += '[';
-    for (const auto& [kind, index] : constraints.order) {
+    for (const auto& place : constraints.order) {
+      const std::size_t kind = place.first, index = place.second;  // clang 14 captures no structured bindings
       std::size_t k = 0;
       for_each_type(ConstraintKinds{}, [&]<class T>(std::type_identity<T>) {
         if (k++ != kind) return;
