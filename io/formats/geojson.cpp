@@ -140,9 +140,10 @@ void project(std::vector<Feature>& features, Vec2 middle) {
 
 bool is_one_of(std::string_view type, std::initializer_list<std::string_view> types) { return std::ranges::find(types, type) != types.end(); }
 
-constexpr std::initializer_list<std::string_view> kRooms = {"room", "bathroom", "hallway", "unit"};
-constexpr std::initializer_list<std::string_view> kNoRooms = {"wall",     "door",      "window",             "stairs",
-                                                              "elevator", "escalator", "inaccessible_space", "floor_opening"};
+bool is_room(const Feature& f) { return is_one_of(f.type, {"room", "bathroom", "hallway", "unit"}); }
+bool is_no_room(const Feature& f) {
+  return is_one_of(f.type, {"wall", "door", "window", "stairs", "elevator", "escalator", "inaccessible_space", "floor_opening"});
+}
 
 /// What the walls and the rooms that somebody drew leave of the building.
 std::vector<Feature> rooms_between_walls(const std::vector<Feature>& features) {
@@ -150,7 +151,7 @@ std::vector<Feature> rooms_between_walls(const std::vector<Feature>& features) {
   std::vector<Ring> taken;
   for (const Feature& f : features) {
     if (f.type == "building_outline") building.push_back(f.area);
-    if (!is_one_of(f.type, kNoRooms) && !is_one_of(f.type, kRooms)) continue;
+    if (!is_no_room(f) && !is_room(f)) continue;
     // A wall may run round a room: then its holes are not wall.
     if (f.area.holes.empty()) {
       taken.push_back(f.area.outline);
@@ -168,7 +169,7 @@ std::vector<Feature> rooms_between_walls(const std::vector<Feature>& features) {
 std::vector<Feature> choose_rooms(const std::vector<Feature>& features) {
   std::vector<Feature> rooms;
   const auto copy_all = [&](auto wanted) { std::ranges::copy_if(features, std::back_inserter(rooms), wanted); };
-  copy_all([](const Feature& f) { return is_one_of(f.type, kRooms); });
+  copy_all(is_room);
   std::ranges::move(rooms_between_walls(features), std::back_inserter(rooms));
   if (rooms.empty()) copy_all([](const Feature& f) { return f.type == "building_outline"; });
   if (rooms.empty()) copy_all([](const Feature&) { return true; });
