@@ -59,8 +59,8 @@ GEOSGeometry* united(Geos& geos, std::vector<GEOSGeometry*> parts) {
   if (parts.empty()) return geos.own(GEOSGeom_createEmptyPolygon_r(geos.handle()));
   // The collection takes its members over, so it is given copies.
   for (GEOSGeometry*& part : parts) part = GEOSGeom_clone_r(geos.handle(), part);
-  GEOSGeometry* all = geos.own(
-      GEOSGeom_createCollection_r(geos.handle(), GEOS_GEOMETRYCOLLECTION, parts.data(), static_cast<unsigned>(parts.size())));
+  GEOSGeometry* all = geos.own(GEOSGeom_createCollection_r(geos.handle(), GEOS_GEOMETRYCOLLECTION, parts.data(),
+                                                           static_cast<unsigned>(parts.size())));
   return all == nullptr ? nullptr : geos.own(GEOSUnaryUnion_r(geos.handle(), all));
 }
 
@@ -136,7 +136,8 @@ std::vector<Area> difference(const std::vector<Area>& areas, const std::vector<R
   for (const Ring& ring : taken) cut.push_back(geos.polygon(ring));
   std::vector<Area> rest;
   collect(geos, geos.minus(united(geos, std::move(kept)), united(geos, std::move(cut))), tolerance, rest);
-  std::ranges::stable_sort(rest, std::ranges::greater{}, [](const Area& a) { return std::abs(signed_area(a.outline)); });
+  std::ranges::stable_sort(rest, std::ranges::greater{},
+                           [](const Area& a) { return std::abs(signed_area(a.outline)); });
   return rest;
 }
 

@@ -92,7 +92,8 @@ Result<std::string> gunzip(std::string_view bytes, std::size_t limit) {
     const int state = inflate(&stream, Z_NO_FLUSH);
     if (state != Z_OK && state != Z_STREAM_END) return invalid("", "gzip: damaged or cut off");
     const std::size_t count = sizeof piece - stream.avail_out;
-    if (out.size() + count > limit) return invalid("", "gzip: larger than " + std::to_string(limit >> 20) + " MiB when unpacked");
+    if (out.size() + count > limit)
+      return invalid("", "gzip: larger than " + std::to_string(limit >> 20) + " MiB when unpacked");
     out.append(piece, count);
     if (state != Z_STREAM_END) continue;
     if (stream.avail_in == 0) return out;

@@ -13,8 +13,8 @@ constexpr std::size_t kLargestFile = std::size_t{256} << 20;
 /// The bytes of a file. Errors (`where` is the path): not there, no ordinary file, not readable, larger than `limit`.
 Result<std::string> read_file(const std::filesystem::path& path, std::size_t limit = kLargestFile);
 
-/// Writes to a temporary file in the same folder and renames it, so that `path` holds either all of `bytes` or, after an
-/// error, what it held before.
+/// Writes to a temporary file in the same folder and renames it, so that `path` holds either all of `bytes` or, after
+/// an error, what it held before.
 Status write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
 
 /// What a gzip file (RFC 1952, one or more members) holds. Errors: damaged, cut off, larger than `limit` when unpacked.

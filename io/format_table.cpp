@@ -22,17 +22,23 @@ std::string_view trimmed(std::string_view bytes) {
 }
 bool json_with(std::string_view bytes, std::initializer_list<std::string_view> words) {
   const std::string_view head = trimmed(bytes).substr(0, kHead);
-  return head.starts_with('{') && std::ranges::any_of(words, [&](std::string_view word) { return head.find(word) != std::string_view::npos; });
+  return head.starts_with('{') &&
+         std::ranges::any_of(words, [&](std::string_view word) { return head.find(word) != std::string_view::npos; });
 }
 
 bool is_scene(std::string_view bytes) { return json_with(bytes, {"\"inhabit-scene\"", "\"space\""}); }
 bool is_wkt(std::string_view bytes) {
   const std::string_view head = trimmed(bytes);
-  return std::ranges::any_of(std::initializer_list<std::string_view>{"POLYGON", "MULTIPOLYGON", "GEOMETRYCOLLECTION", "SRID="},
-                             [&](std::string_view word) { return head.starts_with(word); });
+  return std::ranges::any_of(
+      std::initializer_list<std::string_view>{"POLYGON", "MULTIPOLYGON", "GEOMETRYCOLLECTION", "SRID="},
+      [&](std::string_view word) { return head.starts_with(word); });
 }
-bool is_geojson(std::string_view bytes) { return json_with(bytes, {"\"FeatureCollection\"", "\"coordinates\"", "\"geometries\"", "\"Feature\""}); }
-bool is_procthor(std::string_view bytes) { return json_with(bytes, {"\"floorPolygon\"", "\"proceduralParameters\"", "\"roomType\""}); }
+bool is_geojson(std::string_view bytes) {
+  return json_with(bytes, {"\"FeatureCollection\"", "\"coordinates\"", "\"geometries\"", "\"Feature\""});
+}
+bool is_procthor(std::string_view bytes) {
+  return json_with(bytes, {"\"floorPolygon\"", "\"proceduralParameters\"", "\"roomType\""});
+}
 
 Result<Scenes> one(Result<scene::Scene> scene) {
   if (!scene) return scene.error();
@@ -41,7 +47,8 @@ Result<Scenes> one(Result<scene::Scene> scene) {
   return scenes;
 }
 Result<Scenes> read_procthor_file(std::string_view bytes, const ReadOptions& options) {
-  if (options.asset_database.empty()) return invalid("", "a ProcTHOR house needs the asset database with the sizes of its pieces");
+  if (options.asset_database.empty())
+    return invalid("", "a ProcTHOR house needs the asset database with the sizes of its pieces");
   const Result<std::string> database = read_file(options.asset_database);
   if (!database) return database.error();
   const Result<Assets> assets = read_procthor_assets(*database);
@@ -51,10 +58,14 @@ Result<Scenes> read_procthor_file(std::string_view bytes, const ReadOptions& opt
 
 // One line per format; the first whose sniffing agrees reads a file.
 constexpr Format kFormats[] = {
-    {"scene", "json", is_scene, [](std::string_view b, const ReadOptions&) { return one(read_scene(b)); }, write_scene, "inhabit's own scene document"},
-    {"wkt", "wkt", is_wkt, [](std::string_view b, const ReadOptions&) { return read_wkt(b); }, nullptr, "walkable areas as well-known text (JuPedSim)"},
-    {"geojson", "geojson", is_geojson, [](std::string_view b, const ReadOptions&) { return read_geojson(b); }, nullptr, "floor plans and WRLD indoor maps"},
-    {"procthor", "json jsonl", is_procthor, read_procthor_file, nullptr, "ProcTHOR / AI2-THOR houses, one or one per line"},
+    {"scene", "json", is_scene, [](std::string_view b, const ReadOptions&) { return one(read_scene(b)); }, write_scene,
+     "inhabit's own scene document"},
+    {"wkt", "wkt", is_wkt, [](std::string_view b, const ReadOptions&) { return read_wkt(b); }, nullptr,
+     "walkable areas as well-known text (JuPedSim)"},
+    {"geojson", "geojson", is_geojson, [](std::string_view b, const ReadOptions&) { return read_geojson(b); }, nullptr,
+     "floor plans and WRLD indoor maps"},
+    {"procthor", "json jsonl", is_procthor, read_procthor_file, nullptr,
+     "ProcTHOR / AI2-THOR houses, one or one per line"},
 };
 
 bool has_extension(const Format& format, std::string_view extension) {
@@ -68,7 +79,8 @@ bool has_extension(const Format& format, std::string_view extension) {
 std::string extension_of(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   if (!extension.empty()) extension.erase(0, 1);
-  std::ranges::transform(extension, extension.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  std::ranges::transform(extension, extension.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   return extension;
 }
 
@@ -77,7 +89,8 @@ std::string extension_of(const std::filesystem::path& path) {
 std::span<const Format> formats() { return kFormats; }
 
 const Format* format_to_write(const std::filesystem::path& path) {
-  const auto found = std::ranges::find_if(kFormats, [&](const Format& f) { return f.write != nullptr && has_extension(f, extension_of(path)); });
+  const auto found = std::ranges::find_if(
+      kFormats, [&](const Format& f) { return f.write != nullptr && has_extension(f, extension_of(path)); });
   return found == std::end(kFormats) ? nullptr : found;
 }
 
@@ -90,7 +103,8 @@ Result<Scenes> read_any_bytes(std::string_view bytes, std::string_view name, con
   }
   auto format = std::ranges::find_if(kFormats, [&](const Format& f) { return f.sniff(bytes); });
   const std::string extension = extension_of(name);
-  if (format == std::end(kFormats)) format = std::ranges::find_if(kFormats, [&](const Format& f) { return has_extension(f, extension); });
+  if (format == std::end(kFormats))
+    format = std::ranges::find_if(kFormats, [&](const Format& f) { return has_extension(f, extension); });
   if (format != std::end(kFormats)) return format->read(bytes, options);
   std::string known;
   for (const Format& f : kFormats) known += (known.empty() ? "" : ", ") + std::string(f.name);

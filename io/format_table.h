@@ -21,7 +21,7 @@ using Scenes = std::vector<scene::Scene>;
 
 struct Format {
   std::string_view name;
-  std::string_view extensions;  ///< separated by spaces, the first is the one for writing
+  std::string_view extensions;            ///< separated by spaces, the first is the one for writing
   bool (*sniff)(std::string_view bytes);  ///< true when the content looks like this format
   core::Result<Scenes> (*read)(std::string_view bytes, const ReadOptions& options);
   std::string (*write)(const scene::Scene& scene);  ///< nullptr: read only

@@ -29,7 +29,9 @@ std::string plain_message(std::string what) {
   for (const std::string_view mark : {"] ", ": "}) {
     if (const std::size_t at = what.find(mark); at != std::string::npos) what.erase(0, at + mark.size());
   }
-  if (!is_utf8(what)) std::ranges::replace_if(what, [](char c) { return static_cast<unsigned char>(c) >= 0x80; }, '?');
+  if (!is_utf8(what))
+    std::ranges::replace_if(
+        what, [](char c) { return static_cast<unsigned char>(c) >= 0x80; }, '?');
   if (what.size() > 300) what.resize(300), what += "...";
   return what;
 }
@@ -104,7 +106,8 @@ class JsonBuilder {
     open_.push_back(static_cast<std::uint32_t>(document_.nodes_.size() - 1));
     if (static_cast<int>(open_.size()) <= limits_.depth) return true;
     const std::string where = document_.pointer(open_.back());
-    error = invalid(where.size() <= 100 ? where : "", "nested deeper than " + std::to_string(limits_.depth) + " levels");
+    error =
+        invalid(where.size() <= 100 ? where : "", "nested deeper than " + std::to_string(limits_.depth) + " levels");
     return false;
   }
   bool close() {
@@ -180,12 +183,18 @@ JsonValue JsonDocument::Value::find(std::string_view name) const {
 
 std::string_view name_of(Json kind) {
   switch (kind) {
-    case Json::null: return "null";
-    case Json::boolean: return "true or false";
-    case Json::number: return "a number";
-    case Json::text: return "a text";
-    case Json::array: return "a list";
-    case Json::object: return "an object";
+    case Json::null:
+      return "null";
+    case Json::boolean:
+      return "true or false";
+    case Json::number:
+      return "a number";
+    case Json::text:
+      return "a text";
+    case Json::array:
+      return "a list";
+    case Json::object:
+      return "an object";
   }
   return "";
 }

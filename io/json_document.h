@@ -8,8 +8,8 @@
 
 #include "core/core.h"
 
-/// JSON as the readers of this layer see it: read only, in document order, with every number's text kept and with the place
-/// of a value in the document at hand when something is wrong with it.
+/// JSON as the readers of this layer see it: read only, in document order, with every number's text kept and with the
+/// place of a value in the document at hand when something is wrong with it.
 namespace inhabit::io {
 using namespace core;
 
@@ -62,7 +62,8 @@ class JsonDocument::Value {
   std::string_view key() const { return piece(node().key, node().key_size); }
   /// Number of items or members.
   std::size_t size() const { return is(Kind::array) || is(Kind::object) ? node().size : 0; }
-  /// The member called `name`; a value that is `none` when there is none or this is no object. Cost: members of the object.
+  /// The member called `name`; a value that is `none` when there is none or this is no object. Cost: members of the
+  /// object.
   Value find(std::string_view name) const;
   bool none() const { return document_ == nullptr; }
 

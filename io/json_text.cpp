@@ -16,10 +16,18 @@ constexpr std::size_t kColumns = 110;
 bool append_flat(std::string& out, JsonValue value, std::size_t limit) {
   if (out.size() > limit) return false;
   switch (value.kind()) {
-    case Json::null: out += "null"; break;
-    case Json::boolean: out += value.boolean() ? "true" : "false"; break;
-    case Json::number: out += value.text(); break;
-    case Json::text: append_quoted(out, value.text()); break;
+    case Json::null:
+      out += "null";
+      break;
+    case Json::boolean:
+      out += value.boolean() ? "true" : "false";
+      break;
+    case Json::number:
+      out += value.text();
+      break;
+    case Json::text:
+      append_quoted(out, value.text());
+      break;
     case Json::array:
     case Json::object: {
       const bool object = value.is(Json::object);

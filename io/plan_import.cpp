@@ -24,7 +24,8 @@ Scene scene_of(Area area, std::string_view name) {
   Scene scene;
   scene.name = name;
   scene.space.outline = std::move(area.outline);
-  for (Ring& ring : area.holes) scene.space.holes.push_back({"hole-" + std::to_string(scene.space.holes.size() + 1), std::move(ring), {}});
+  for (Ring& ring : area.holes)
+    scene.space.holes.push_back({"hole-" + std::to_string(scene.space.holes.size() + 1), std::move(ring), {}});
   return scene;
 }
 
@@ -63,9 +64,8 @@ Area tidied(Area area) {
 
 bool is_clean(const Area& area) {
   if (why_not_simple(area.outline)) return false;
-  return std::ranges::all_of(area.holes, [&](const Ring& hole) {
-    return !why_not_simple(hole) && area_outside(hole, area.outline) < 1e-6;
-  });
+  return std::ranges::all_of(
+      area.holes, [&](const Ring& hole) { return !why_not_simple(hole) && area_outside(hole, area.outline) < 1e-6; });
 }
 
 Result<std::vector<Scene>> scenes_of(std::vector<Area> areas, std::string_view name) {
@@ -77,9 +77,12 @@ Result<std::vector<Scene>> scenes_of(std::vector<Area> areas, std::string_view n
     }
   }
   if (areas.empty()) return invalid("", "there is no polygon in it");
-  const auto beyond = [&](double limit) { return all.min.x < -limit || all.min.y < -limit || all.max.x > limit || all.max.y > limit; };
+  const auto beyond = [&](double limit) {
+    return all.min.x < -limit || all.min.y < -limit || all.max.x > limit || all.max.y > limit;
+  };
   const Vec2 size = all.size();
-  if (beyond(kFarthest) || !(size.x < kGrid) || !(size.y < kGrid)) return invalid("", "the plan is larger than 100 km: these are no metres");
+  if (beyond(kFarthest) || !(size.x < kGrid) || !(size.y < kGrid))
+    return invalid("", "the plan is larger than 100 km: these are no metres");
   const Vec2 origin = beyond(kGrid) ? Vec2{std::floor(all.min.x), std::floor(all.min.y)} : Vec2{};
   std::vector<Scene> scenes;
   for (Area& area : areas) {
@@ -101,7 +104,9 @@ Result<std::vector<Scene>> scenes_of(std::vector<Area> areas, std::string_view n
   }
   if (scenes.empty()) return invalid("", "no polygon in it encloses an area");
   if (origin != Vec2{}) {
-    for (Scene& scene : scenes) scene.extras.emplace_back("x-origin", std::string("[") + number_text(origin.x) + ", " + number_text(origin.y) + "]");
+    for (Scene& scene : scenes)
+      scene.extras.emplace_back("x-origin",
+                                std::string("[") + number_text(origin.x) + ", " + number_text(origin.y) + "]");
   }
   return scenes;
 }

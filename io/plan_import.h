@@ -18,8 +18,8 @@ bool is_clean(const Area& area);
 Area tidied(Area area);
 
 /// Scenes of the areas: clean ones corner for corner, others repaired by GEOS, which may split them (then they carry
-/// `x-repaired`). All are moved by the same whole number of metres to the origin when they lie in a national grid, which the
-/// extra `x-origin` keeps. Errors: nothing left, or coordinates that are no metres.
+/// `x-repaired`). All are moved by the same whole number of metres to the origin when they lie in a national grid,
+/// which the extra `x-origin` keeps. Errors: nothing left, or coordinates that are no metres.
 Result<std::vector<Scene>> scenes_of(std::vector<Area> areas, std::string_view name);
 
 /// A door or window as a plan draws it: a thin polygon in or on a wall.
@@ -27,8 +27,8 @@ struct DrawnOpening {
   Ring outline;
   bool window = false;
 };
-/// Puts the openings that lie within `reach` metres of a wall and along it into the space, at least 0.4 m wide. Returns how
-/// many it took.
+/// Puts the openings that lie within `reach` metres of a wall and along it into the space, at least 0.4 m wide. Returns
+/// how many it took.
 std::size_t add_openings(Space& space, const std::vector<DrawnOpening>& openings, double reach);
 
 }  // namespace inhabit::io

@@ -36,7 +36,8 @@ class GeoReader {
     if (std::ranges::find(kOthers, type.text()) != std::end(kOthers)) return true;
     const JsonValue coordinates = v.find("coordinates");
     if (type.text() != "Polygon" && type.text() != "MultiPolygon") {
-      static constexpr std::string_view kAll[] = {"FeatureCollection", "Feature", "GeometryCollection", "Polygon", "MultiPolygon"};
+      static constexpr std::string_view kAll[] = {"FeatureCollection", "Feature", "GeometryCollection", "Polygon",
+                                                  "MultiPolygon"};
       return fail(type, "unknown type " + quoted(type.text()) + did_you_mean(type.text(), kAll));
     }
     if (coordinates.none() || !coordinates.is(Json::array)) return fail(v, "\"coordinates\" is missing");
@@ -74,7 +75,8 @@ class GeoReader {
       for (const JsonValue position : v) {
         if (!corner(position, ring)) return false;
       }
-      if (ring.size() < 4 || ring.front() != ring.back()) return fail(v, "a ring has four positions or more and ends where it starts");
+      if (ring.size() < 4 || ring.front() != ring.back())
+        return fail(v, "a ring has four positions or more and ends where it starts");
       (first ? f.area.outline : f.area.holes.emplace_back()) = std::move(ring);
       first = false;
     }
@@ -138,11 +140,14 @@ void project(std::vector<Feature>& features, Vec2 middle) {
   }
 }
 
-bool is_one_of(std::string_view type, std::initializer_list<std::string_view> types) { return std::ranges::find(types, type) != types.end(); }
+bool is_one_of(std::string_view type, std::initializer_list<std::string_view> types) {
+  return std::ranges::find(types, type) != types.end();
+}
 
 bool is_room(const Feature& f) { return is_one_of(f.type, {"room", "bathroom", "hallway", "unit"}); }
 bool is_no_room(const Feature& f) {
-  return is_one_of(f.type, {"wall", "door", "window", "stairs", "elevator", "escalator", "inaccessible_space", "floor_opening"});
+  return is_one_of(
+      f.type, {"wall", "door", "window", "stairs", "elevator", "escalator", "inaccessible_space", "floor_opening"});
 }
 
 /// What the walls and the rooms that somebody drew leave of the building.

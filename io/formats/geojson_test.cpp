@@ -12,14 +12,16 @@ using namespace inhabit::io;
 using namespace inhabit::scene;
 
 TEST_CASE("a bare polygon in metres becomes a space") {
-  const auto scenes = read_geojson(R"({"type": "Polygon", "coordinates": [[[0, 0], [500, 0], [500, 4], [0, 4], [0, 0]]]})");
+  const auto scenes =
+      read_geojson(R"({"type": "Polygon", "coordinates": [[[0, 0], [500, 0], [500, 4], [0, 4], [0, 0]]]})");
   REQUIRE_MESSAGE(scenes.ok(), scenes.error().text());
   CHECK((*scenes)[0].space.outline == Ring{{0, 0}, {500, 0}, {500, 4}, {0, 4}});
 }
 
 TEST_CASE("longitude and latitude are projected to metres about the middle") {
   // At 56.46 degrees north an arc second is 30.93 m along the meridian and 17.12 m along the parallel (GRS80 radii).
-  const auto scenes = read_geojson(R"({"type": "Feature", "properties": {"name": "hall"}, "geometry": {"type": "Polygon",
+  const auto scenes =
+      read_geojson(R"({"type": "Feature", "properties": {"name": "hall"}, "geometry": {"type": "Polygon",
       "coordinates": [[[-2.978, 56.46], [-2.977722222222222, 56.46], [-2.977722222222222, 56.460277777777778], [-2.978, 56.460277777777778], [-2.978, 56.46]]]}})");
   REQUIRE_MESSAGE(scenes.ok(), scenes.error().text());
   const Scene& scene = (*scenes)[0];
@@ -31,7 +33,8 @@ TEST_CASE("longitude and latitude are projected to metres about the middle") {
 }
 
 TEST_CASE("doors and windows of an indoor map belong to the rooms that they touch") {
-  const auto scenes = read_geojson(R"({"type": "FeatureCollection", "crs": {"properties": {"name": "local"}}, "features": [
+  const auto scenes =
+      read_geojson(R"({"type": "FeatureCollection", "crs": {"properties": {"name": "local"}}, "features": [
     {"type": "Feature", "properties": {"type": "room", "name": "A"}, "geometry": {"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 3], [0, 3], [0, 0]]]}},
     {"type": "Feature", "properties": {"type": "room", "name": "B"}, "geometry": {"type": "Polygon", "coordinates": [[[4.2, 0], [8, 0], [8, 3], [4.2, 3], [4.2, 0]]]}},
     {"type": "Feature", "properties": {"type": "door"}, "geometry": {"type": "Polygon", "coordinates": [[[4, 1], [4.2, 1], [4.2, 2], [4, 2], [4, 1]]]}},
@@ -47,7 +50,8 @@ TEST_CASE("doors and windows of an indoor map belong to the rooms that they touc
 }
 
 TEST_CASE("rooms that nobody drew are what the walls leave of the building") {
-  const auto scenes = read_geojson(R"({"type": "FeatureCollection", "crs": {"properties": {"name": "local"}}, "features": [
+  const auto scenes =
+      read_geojson(R"({"type": "FeatureCollection", "crs": {"properties": {"name": "local"}}, "features": [
     {"type": "Feature", "properties": {"type": "building_outline"}, "geometry": {"type": "Polygon", "coordinates": [[[0, 0], [8, 0], [8, 3], [0, 3], [0, 0]]]}},
     {"type": "Feature", "properties": {"type": "wall"}, "geometry": {"type": "Polygon", "coordinates": [[[4, 0], [4.2, 0], [4.2, 1], [4, 1], [4, 0]]]}},
     {"type": "Feature", "properties": {"type": "wall"}, "geometry": {"type": "Polygon", "coordinates": [[[4, 2], [4.2, 2], [4.2, 3], [4, 3], [4, 2]]]}},
@@ -62,10 +66,14 @@ TEST_CASE("rooms that nobody drew are what the walls leave of the building") {
 
 TEST_CASE("what is no GeoJSON is refused with its place") {
   CHECK(read_geojson("{}").error().text() == "\"type\" is missing");
-  CHECK(read_geojson(R"({"type": "Polygn"})").error().text() == "/type: unknown type \"Polygn\"; did you mean \"Polygon\"?");
-  CHECK(read_geojson(R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0, 1]]]})").error().where == "/coordinates/0");
-  CHECK(read_geojson(R"({"type": "Polygon", "coordinates": [[[0, 0], [1, "x"]]]})").error().where == "/coordinates/0/1/1");
-  CHECK(read_geojson(R"({"type": "Polygon", "coordinates": [[[0, 0], [1e300, 0], [0, 1], [0, 0]]]})").error().where == "/coordinates/0/1/0");
+  CHECK(read_geojson(R"({"type": "Polygn"})").error().text() ==
+        "/type: unknown type \"Polygn\"; did you mean \"Polygon\"?");
+  CHECK(read_geojson(R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0, 1]]]})").error().where ==
+        "/coordinates/0");
+  CHECK(read_geojson(R"({"type": "Polygon", "coordinates": [[[0, 0], [1, "x"]]]})").error().where ==
+        "/coordinates/0/1/1");
+  CHECK(read_geojson(R"({"type": "Polygon", "coordinates": [[[0, 0], [1e300, 0], [0, 1], [0, 0]]]})").error().where ==
+        "/coordinates/0/1/0");
   CHECK(read_geojson(R"({"type": "FeatureCollection", "features": []})").error().text() == "there is no polygon in it");
   CHECK_FALSE(read_geojson(R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 1], [2, 2], [0, 0]]]})").ok());
 }
@@ -91,7 +99,8 @@ TEST_CASE("every floor of a real office building is read and survives as scene d
       REQUIRE_MESSAGE(again.ok(), name, ": ", again.error().text());
       CHECK(*again == scene);
     }
-    MESSAGE(name, ": ", scenes->size(), " rooms, ", with_door, " with a door, ", doors, " doors, ", windows, " windows, ", area, " square metres");
+    MESSAGE(name, ": ", scenes->size(), " rooms, ", with_door, " with a door, ", doors, " doors, ", windows,
+            " windows, ", area, " square metres");
   }
   CHECK(floors == 8);
 }

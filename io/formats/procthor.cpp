@@ -21,7 +21,8 @@ std::string kind_of(std::string_view type) {
   const auto upper = [](char c) { return c >= 'A' && c <= 'Z'; };
   std::string kind;
   for (std::size_t i = 0; i < type.size(); ++i) {
-    const bool starts = upper(type[i]) && i > 0 && (!upper(type[i - 1]) || (i + 1 < type.size() && !upper(type[i + 1])));
+    const bool starts =
+        upper(type[i]) && i > 0 && (!upper(type[i - 1]) || (i + 1 < type.size() && !upper(type[i + 1])));
     if (starts) kind += '_';
     kind += upper(type[i]) ? static_cast<char>(type[i] + 32) : type[i];
   }
@@ -58,12 +59,15 @@ class HouseReader {
   bool number(JsonValue object, std::string_view name, double& out) {
     const JsonValue v = object.find(name);
     if (v.none() || !v.is(Json::number)) return fail(object, quoted(name) + " is no number");
-    if (!(std::abs(v.number()) <= 1e5)) return fail(v, std::string(v.text().substr(0, 40)) + " is outside [-100000, 100000]");
+    if (!(std::abs(v.number()) <= 1e5))
+      return fail(v, std::string(v.text().substr(0, 40)) + " is outside [-100000, 100000]");
     out = v.number();
     return true;
   }
   /// {x, y, z} of Unity as ours: y and z change places.
-  bool point(JsonValue object, Vec3& out) { return number(object, "x", out.x) && number(object, "z", out.y) && number(object, "y", out.z); }
+  bool point(JsonValue object, Vec3& out) {
+    return number(object, "x", out.x) && number(object, "z", out.y) && number(object, "y", out.z);
+  }
   std::string text(JsonValue object, std::string_view name) {
     const JsonValue v = object.find(name);
     return !v.none() && v.is(Json::text) ? std::string(v.text()) : "";
@@ -137,7 +141,8 @@ class HouseReader {
       const double low = std::min(a.z, b.z), high = std::max(a.z, b.z);
       opening.height = std::clamp(high - low, 0.01, 1e3);
       if constexpr (std::is_same_v<Opening, Window>) opening.sill = std::clamp(low, 0.0, 1e3);
-      if constexpr (std::is_same_v<Opening, Door>) opening.swing = v.find("openable").none() || v.find("openable").boolean() ? Door::Swing::in : Door::Swing::none;
+      if constexpr (std::is_same_v<Opening, Door>)
+        opening.swing = v.find("openable").none() || v.find("openable").boolean() ? Door::Swing::in : Door::Swing::none;
       place(opening, wall->second.start + a.x * along, wall->second.start + b.x * along);
     }
     return true;
@@ -219,7 +224,8 @@ class HouseReader {
   }
   static void note_tilt(JsonValue rotation, Object& o) {
     const JsonValue x = rotation.find("x"), z = rotation.find("z");
-    const double about_x = !x.none() && x.is(Json::number) ? x.number() : 0, about_z = !z.none() && z.is(Json::number) ? z.number() : 0;
+    const double about_x = !x.none() && x.is(Json::number) ? x.number() : 0,
+                 about_z = !z.none() && z.is(Json::number) ? z.number() : 0;
     if (std::abs(about_x) > 1 || std::abs(about_z) > 1)
       o.extras.emplace_back("x-tilt", std::string("[") + number_text(about_x) + ", " + number_text(about_z) + "]");
   }
@@ -244,12 +250,13 @@ std::string_view next_line(std::string_view& rest) {
   return line.find_first_not_of(" \t\r") == std::string_view::npos ? std::string_view{} : line;
 }
 
-/// One document per line, and not one document over many lines: its first line is a whole document and not the only one.
+/// One document per line, and not one document over many lines: its first line is a whole document and not the only
+/// one.
 bool has_house_per_line(std::string_view text) {
   std::string_view line;
   while (line.empty() && !text.empty()) line = next_line(text);
-  return line.find_last_not_of(" \t\r") != std::string_view::npos && line[line.find_last_not_of(" \t\r")] == '}' && line[0] == '{' &&
-         text.find('{') != std::string_view::npos && JsonDocument::parse(line).ok();
+  return line.find_last_not_of(" \t\r") != std::string_view::npos && line[line.find_last_not_of(" \t\r")] == '}' &&
+         line[0] == '{' && text.find('{') != std::string_view::npos && JsonDocument::parse(line).ok();
 }
 
 }  // namespace
@@ -263,12 +270,14 @@ Result<Assets> read_procthor_assets(std::string_view text) {
   for (const JsonValue type : root) {
     for (const JsonValue asset : type) {
       const JsonValue id = asset.find("assetId"), box = asset.find("boundingBox");
-      if (id.none() || !id.is(Json::text) || box.none()) return asset.error("\"assetId\" or \"boundingBox\" is missing");
+      if (id.none() || !id.is(Json::text) || box.none())
+        return asset.error("\"assetId\" or \"boundingBox\" is missing");
       double size[3] = {};
       const std::string_view names[3] = {"x", "z", "y"};
       for (int k = 0; k < 3; ++k) {
         const JsonValue v = box.find(names[k]);
-        if (v.none() || !v.is(Json::number) || !(v.number() >= 0 && v.number() <= 1e3)) return box.error("is no box within [0, 1000] m");
+        if (v.none() || !v.is(Json::number) || !(v.number() >= 0 && v.number() <= 1e3))
+          return box.error("is no box within [0, 1000] m");
         size[k] = std::max(v.number(), kThinnest);
       }
       assets.insert_or_assign(std::string(id.text()), Asset{{size[0], size[1], size[2]}, kind_of(type.key())});
@@ -287,7 +296,9 @@ Result<std::vector<Scene>> read_procthor(std::string_view text, const Assets& as
     const std::string_view house = next_line(text);
     if (house.empty() || (line != 0 && line != number)) continue;
     Result<std::vector<Scene>> rooms = read_house(house, assets);
-    if (!rooms) return invalid("line " + std::to_string(number) + (rooms.error().where.empty() ? "" : ", ") + rooms.error().where, rooms.error().message);
+    if (!rooms)
+      return invalid("line " + std::to_string(number) + (rooms.error().where.empty() ? "" : ", ") + rooms.error().where,
+                     rooms.error().message);
     std::ranges::move(*rooms, std::back_inserter(scenes));
   }
   if (scenes.empty()) return invalid("", "there is no line " + std::to_string(line) + " in it");

@@ -53,12 +53,15 @@ TEST_CASE("a house that does not hold together is refused with its place") {
     house.replace(house.find(from), from.size(), to);
     return read_procthor(house, assets).error().text();
   };
-  CHECK(error_with("\"assetId\": \"Cup_1\"", "\"assetId\": \"Cup_2\"") == "/objects/0/children/0: the asset database does not know \"Cup_2\"");
+  CHECK(error_with("\"assetId\": \"Cup_1\"", "\"assetId\": \"Cup_2\"") ==
+        "/objects/0/children/0: the asset database does not know \"Cup_2\"");
   CHECK(error_with("\"wall0\": \"w\"", "\"wall0\": \"v\"") == "/doors/0: there is no wall \"v\"");
-  CHECK(error_with("{\"x\": 0, \"y\": 0, \"z\": 3}", "{\"x\": 0, \"y\": 0}") == "/rooms/0/floorPolygon/1: \"z\" is no number");
+  CHECK(error_with("{\"x\": 0, \"y\": 0, \"z\": 3}", "{\"x\": 0, \"y\": 0}") ==
+        "/rooms/0/floorPolygon/1: \"z\" is no number");
   CHECK(error_with("\"rooms\"", "\"rums\"") == "there are no rooms in it");
   CHECK(error_with("\"x\": 0.25", "\"x\": 1e9") == "/objects/0/position/x: 1e9 is outside [-100000, 100000]");
-  CHECK(read_procthor_assets(R"({"Cup": [{"assetId": "a", "boundingBox": {"x": 1}}]})").error().where == "/Cup/0/boundingBox");
+  CHECK(read_procthor_assets(R"({"Cup": [{"assetId": "a", "boundingBox": {"x": 1}}]})").error().where ==
+        "/Cup/0/boundingBox");
 }
 
 TEST_CASE("a line of many houses is picked by its number") {
@@ -90,7 +93,8 @@ TEST_CASE("all five hundred houses are read and survive as scene documents") {
     REQUIRE_MESSAGE(again.ok(), again.error().text());
     CHECK(*again == scene);
   }
-  MESSAGE(objects, " objects, ", doors, " doors, ", windows, " windows; ", at_wall, " of ", pieces, " backs at the wall");
+  MESSAGE(objects, " objects, ", doors, " doors, ", windows, " windows; ", at_wall, " of ", pieces,
+          " backs at the wall");
   CHECK(objects >= 4715);
   CHECK(doors == 500);
   CHECK(windows == 642);

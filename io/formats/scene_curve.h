@@ -28,7 +28,9 @@ struct Table<ArcInFile> {
 template <>
 struct Table<SegmentInFile> {
   static constexpr std::tuple members{
-      Member{"start", &SegmentInFile::start, {"where it starts; the medial axis of the group when both ends are absent", "m", -kMetres, kMetres}},
+      Member{"start",
+             &SegmentInFile::start,
+             {"where it starts; the medial axis of the group when both ends are absent", "m", -kMetres, kMetres}},
       Member{"end", &SegmentInFile::end, {"where it ends", "m", -kMetres, kMetres}}};
 };
 

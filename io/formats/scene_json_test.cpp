@@ -21,8 +21,10 @@ std::string space_error(const std::string& rest) {
   return scene ? "" : scene.error().text();
 }
 std::string constraint_error(const std::string& constraint) {
-  return error_of(R"("objects": [{"id": "lamp"}, {"id": "chair"}], "groups": [{"id": "both", "members": ["lamp", "chair"]}],
-                     "constraints": [)" + constraint + "]");
+  return error_of(
+      R"("objects": [{"id": "lamp"}, {"id": "chair"}], "groups": [{"id": "both", "members": ["lamp", "chair"]}],
+                     "constraints": [)" +
+      constraint + "]");
 }
 
 }  // namespace
@@ -43,7 +45,7 @@ TEST_CASE("reading what was written gives the same scene and the same bytes") {
   REQUIRE_MESSAGE(again.ok(), again.error().text());
   CHECK(*again == *scene);
   CHECK(write_scene(*again) == text);
-  CHECK(text.find("1.50e2") != std::string::npos);                // the user's own members keep their digits
+  CHECK(text.find("1.50e2") != std::string::npos);  // the user's own members keep their digits
   CHECK(text.find("12345678901234567890123") != std::string::npos);
   CHECK(text.find("\"angle\": 60.123456789}") != std::string::npos);
   CHECK(text.find("\"outline\": [[0, 0], [4.6, 0], [4.6, 3.4], [0, 3.4]]") != std::string::npos);
@@ -53,7 +55,8 @@ TEST_CASE("what equals a default is not written") {
   Scene scene;
   scene.space.outline = {{0, 0}, {1, 0}, {0, 1}};
   CHECK(write_scene(scene) ==
-        "{\n  \"format\": \"inhabit-scene\",\n  \"version\": 1,\n  \"space\": {\"outline\": [[0, 0], [1, 0], [0, 1]]}\n}\n");
+        "{\n  \"format\": \"inhabit-scene\",\n  \"version\": 1,\n  \"space\": {\"outline\": [[0, 0], [1, 0], [0, "
+        "1]]}\n}\n");
 }
 
 TEST_CASE("a clockwise outline is turned round and doors and windows stay where they were") {
@@ -75,28 +78,34 @@ TEST_CASE("a clockwise outline is turned round and doors and windows stay where 
 }
 
 TEST_CASE("every error says where and what") {
-  CHECK(error_of(R"("objects": [{"id": "a", "angle": 900}])") == "/objects/0/angle: 900 is outside [-360, 360] degrees");
+  CHECK(error_of(R"("objects": [{"id": "a", "angle": 900}])") ==
+        "/objects/0/angle: 900 is outside [-360, 360] degrees");
   CHECK(error_of(R"("objects": [{"id": "a", "positon": [0, 0, 0]}])") ==
         "/objects/0/positon: unknown key; did you mean \"position\"?");
   CHECK(error_of(R"("objects": [{"kind": "a"}])") == "/objects/0: \"id\" is missing");
   CHECK(error_of(R"("objects": [{"id": ""}])") == "/objects/0/id: is empty");
-  CHECK(error_of(R"("objects": [{"id": "a", "size": [1, -1, 1]}])") == "/objects/0/size/1: -1 is outside [0.0001, 10000] m");
+  CHECK(error_of(R"("objects": [{"id": "a", "size": [1, -1, 1]}])") ==
+        "/objects/0/size/1: -1 is outside [0.0001, 10000] m");
   CHECK(error_of(R"("objects": [{"id": "a", "size": [1, 1]}])") == "/objects/0/size: has 2 numbers instead of 3");
   CHECK(error_of(R"("objects": [{"id": "a", "position": [2e6, 1, 0]}])") ==
         "/objects/0/position/0: 2e6 is outside [-1000000, 1000000] m");
-  CHECK(error_of(R"("objects": [{"id": "a"}, {"id": "a"}])") == "/objects/1/id: \"a\" is the id of something else before it");
+  CHECK(error_of(R"("objects": [{"id": "a"}, {"id": "a"}])") ==
+        "/objects/1/id: \"a\" is the id of something else before it");
   CHECK(error_of(R"("objects": [{"id": "a"}], "groups": [{"id": "a", "members": ["a"]}])") ==
         "/groups/0/id: \"a\" is the id of something else before it");
   CHECK(error_of(R"("objects": [{"id": "a", "fixed": true}])") == "/objects/0: \"a\" is fixed but has no position");
-  CHECK(error_of(R"("objects": [{"id": "a", "on": "b"}, {"id": "b", "on": "a"}])").ends_with("stands, through others, on itself"));
+  CHECK(error_of(R"("objects": [{"id": "a", "on": "b"}, {"id": "b", "on": "a"}])")
+            .ends_with("stands, through others, on itself"));
   CHECK(error_of(R"("objects": [{"id": "a", "size": [6.5, 0.1, 1]}])") ==
         "/objects/0/size: \"a\" is larger than the room in every orientation");
   CHECK(error_of(R"("objects": [{"id": "a", "size": [6.0, 0.1, 1]}])").empty());  // fits along the diagonal
   CHECK(error_of(R"("objects": [{"id": "a", "mount": "flor"}])") ==
         "/objects/0/mount: \"flor\" is none of: floor, wall, ceiling; did you mean \"floor\"?");
   CHECK(error_of(R"("objects": {})") == "/objects: is an object where a list belongs");
-  CHECK(error_of(R"("groups": [{"id": "g", "members": ["h"]}, {"id": "h", "members": ["g"]}])").ends_with("contains itself"));
-  CHECK(error_of(R"("objects": [{"id": "a"}], "groups": [{"id": "g", "members": ["a"]}, {"id": "h", "members": ["a"]}])") ==
+  CHECK(error_of(R"("groups": [{"id": "g", "members": ["h"]}, {"id": "h", "members": ["g"]}])")
+            .ends_with("contains itself"));
+  CHECK(error_of(
+            R"("objects": [{"id": "a"}], "groups": [{"id": "g", "members": ["a"]}, {"id": "h", "members": ["a"]}])") ==
         "/groups/1/members/0: \"a\" is in group \"g\" already");
   CHECK(error_of(R"("objects": [{"id": "a"}], "groups": [{"id": "g", "members": ["a"], "curve": {}}])") ==
         "/groups/0/curve: a curve is either an arc or a segment");
@@ -114,8 +123,10 @@ TEST_CASE("every error says where and what") {
 }
 
 TEST_CASE("errors of the space say where and what") {
-  CHECK(read_scene(R"({"space": {"outline": [[0, 0], [1, 1], [1, 0], [0, 1]]}})").error().text().starts_with(
-      "/space/outline: the outline touches or crosses itself near (0.5"));
+  CHECK(read_scene(R"({"space": {"outline": [[0, 0], [1, 1], [1, 0], [0, 1]]}})")
+            .error()
+            .text()
+            .starts_with("/space/outline: the outline touches or crosses itself near (0.5"));
   CHECK(read_scene(R"({"space": {"outline": [[0, 0], [1, 1]]}})").error().where == "/space/outline");
   CHECK(read_scene(R"({"space": {"outline": [[0, 0], [1, 1], [2, 2]]}})").error().where == "/space/outline");
   CHECK(space_error(R"("holes": [{"outline": [[6, 1], [7, 1], [7, 2]]}])") ==
@@ -155,7 +166,8 @@ TEST_CASE("errors of constraints say where and what") {
 TEST_CASE("hostile documents are refused with a place") {
   CHECK(read_scene("{\n  \"space\": }").error().where == "line 2, column 12");
   CHECK(read_scene("").error().where == "line 1, column 1");
-  CHECK(read_scene(R"({"space": {"outline": [[0, 0], [1e400, 0], [0, 1]]}})").error().message.find("overflow") != std::string::npos);
+  CHECK(read_scene(R"({"space": {"outline": [[0, 0], [1e400, 0], [0, 1]]}})").error().message.find("overflow") !=
+        std::string::npos);
   CHECK_FALSE(read_scene(R"({"space": {"outline": [[0, 0], [NaN, 0], [0, 1]]}})").ok());
   CHECK(read_scene(R"({"space": {}, "a/b": {"c": 1, "d": 2, "c": 3}})").error().text() ==
         "/a~1b/c: the key \"c\" appears twice in one object");
@@ -165,7 +177,8 @@ TEST_CASE("hostile documents are refused with a place") {
   CHECK(read_scene(deep).error().message == "nested deeper than 64 levels");
   CHECK(read_scene("{\"name\": \"\xff\"}").error().message.find("UTF-8") != std::string::npos);
   CHECK(read_scene(std::string("{}\0{}", 5)).error().text() == "line 1, column 3: a zero byte");
-  for (std::size_t size = 0; size < kFullScene.size(); size += 7) CHECK_FALSE(read_scene(kFullScene.substr(0, size)).ok());
+  for (std::size_t size = 0; size < kFullScene.size(); size += 7)
+    CHECK_FALSE(read_scene(kFullScene.substr(0, size)).ok());
 }
 
 TEST_CASE("a hundred thousand objects are read in about a second") {
@@ -187,6 +200,7 @@ TEST_CASE("a hundred thousand objects are read in about a second") {
   REQUIRE(again.ok());
   CHECK(*again == scene);
   const std::chrono::duration<double> write_time = written - start, read_time = end - written;
-  MESSAGE("100,000 objects, ", text.size(), " bytes: written in ", write_time.count(), " s, read in ", read_time.count(), " s");
+  MESSAGE("100,000 objects, ", text.size(), " bytes: written in ", write_time.count(), " s, read in ",
+          read_time.count(), " s");
   CHECK(read_time.count() < 10);  // generous, since machines are shared and sanitizers slow
 }

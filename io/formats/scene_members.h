@@ -3,8 +3,8 @@
 
 #include "scene/scene.h"
 
-/// What every object of a scene document may hold, said once: reading, writing, the JSON Schema and the error messages all
-/// come from these tables. Constraints describe themselves (scene/constraint_kinds.h).
+/// What every object of a scene document may hold, said once: reading, writing, the JSON Schema and the error messages
+/// all come from these tables. Constraints describe themselves (scene/constraint_kinds.h).
 namespace inhabit::io {
 using namespace scene;
 
@@ -32,9 +32,13 @@ template <class T>
 struct Table;
 
 template <class T>
-concept HasTable = requires { Table<T>::members; };
+concept HasTable = requires {
+  Table<T>::members;
+};
 template <class T>
-concept IsConstraint = requires { T::kFields; };
+concept IsConstraint = requires {
+  T::kFields;
+};
 
 /// Calls f(name, pointer to member, spec) for every member that a T may have in a document, in the order of writing.
 template <class T, class F>
@@ -44,22 +48,24 @@ void for_each_member(F&& f) {
       const Spec spec{field.help, field.unit, field.low, field.high, field.required, field.choices};
       std::visit([&](auto pointer) { f(field.name, pointer, spec); }, field.member);
     }
-    f("stiffness", &Strength::stiffness, Spec{"how much of the error one projection removes; the kind's default when absent", "", 0, 1});
+    f("stiffness", &Strength::stiffness,
+      Spec{"how much of the error one projection removes; the kind's default when absent", "", 0, 1});
     f("weight", &Strength::weight, Spec{"weight in the energy; the kind's default when absent", "", 0, 1e6});
   } else {
     std::apply([&](const auto&... member) { (f(member.name, member.pointer, member.spec), ...); }, Table<T>::members);
   }
 }
 
-constexpr double kMetres = 1e6;    ///< nothing is farther from the origin
-constexpr double kSmallest = 1e-4; ///< nothing is thinner
+constexpr double kMetres = 1e6;     ///< nothing is farther from the origin
+constexpr double kSmallest = 1e-4;  ///< nothing is thinner
 constexpr double kTurn = 2 * kPi;
 
 template <>
 struct Table<Hole> {
   static constexpr std::tuple members{
       Member{"id", &Hole::id, {"name of the hole"}},
-      Member{"outline", &Hole::outline, {"its corners, inside the outline of the space", "m", -kMetres, kMetres, true}}};
+      Member{
+          "outline", &Hole::outline, {"its corners, inside the outline of the space", "m", -kMetres, kMetres, true}}};
 };
 
 template <>
@@ -97,10 +103,11 @@ struct Table<Space> {
 
 template <>
 struct Table<Clearance> {
-  static constexpr std::tuple members{Member{"front", &Clearance::front, {"before the front face", "m", 0, 100}},
-                                      Member{"back", &Clearance::back, {"behind the back face", "m", 0, 100}},
-                                      Member{"left", &Clearance::left, {"at the left face, seen along its heading", "m", 0, 100}},
-                                      Member{"right", &Clearance::right, {"at the right face", "m", 0, 100}}};
+  static constexpr std::tuple members{
+      Member{"front", &Clearance::front, {"before the front face", "m", 0, 100}},
+      Member{"back", &Clearance::back, {"behind the back face", "m", 0, 100}},
+      Member{"left", &Clearance::left, {"at the left face, seen along its heading", "m", 0, 100}},
+      Member{"right", &Clearance::right, {"at the right face", "m", 0, 100}}};
 };
 
 template <>
@@ -117,8 +124,12 @@ struct Table<Object> {
       Member{"kind", &Object::kind, {"what it is: bed, chair, lamp"}},
       Member{"name", &Object::name, {"what people call it"}},
       Member{"size", &Object::size, {"width across the front, depth front to back, height", "m", kSmallest, 1e4}},
-      Member{"position", &Object::position, {"centre of the footprint and height of the base; anywhere when absent", "m", -kMetres, kMetres}},
-      Member{"angle", &Object::angle, {"where the front faces, counter-clockwise from +x; any when absent", "rad", -kTurn, kTurn}},
+      Member{"position",
+             &Object::position,
+             {"centre of the footprint and height of the base; anywhere when absent", "m", -kMetres, kMetres}},
+      Member{"angle",
+             &Object::angle,
+             {"where the front faces, counter-clockwise from +x; any when absent", "rad", -kTurn, kTurn}},
       Member{"fixed", &Object::fixed, {"never moves, like a built-in thing"}},
       Member{"lock", &Object::lock, {"what a user has pinned", "", 0, 0, false, "none|position|angle|both"}},
       Member{"clearance", &Object::clearance, {"free depth wanted in front of each face"}},
@@ -143,8 +154,9 @@ struct Table<Group> {
 
 template <>
 struct Table<Speed> {
-  static constexpr std::tuple members{Member{"mean", &Speed::mean, {"mean desired speed", "m/s", 0, 100}},
-                                      Member{"deviation", &Speed::deviation, {"its standard deviation", "m/s", 0, 100}}};
+  static constexpr std::tuple members{
+      Member{"mean", &Speed::mean, {"mean desired speed", "m/s", 0, 100}},
+      Member{"deviation", &Speed::deviation, {"its standard deviation", "m/s", 0, 100}}};
 };
 
 template <>
@@ -153,7 +165,8 @@ struct Table<Population> {
       Member{"id", &Population::id, {"unique name among populations"}},
       Member{"count", &Population::count, {"how many people", "", 0, 1e7, true}},
       Member{"area", &Population::area, {"where they stand at first", "m", -kMetres, kMetres, true}},
-      Member{"spacing", &Population::spacing, {"side of the grid they stand on; at random when absent", "m", 0.01, 1e4}},
+      Member{
+          "spacing", &Population::spacing, {"side of the grid they stand on; at random when absent", "m", 0.01, 1e4}},
       Member{"radius", &Population::radius, {"half a person's width", "m", 0.01, 10}},
       Member{"mass", &Population::mass, {"mass of a person relative to the others", "", 1e-6, 1e6}},
       Member{"speed", &Population::speed, {"desired speed"}},
@@ -188,13 +201,14 @@ struct Table<Crowd> {
 
 template <>
 struct Table<Scene> {
-  static constexpr std::tuple members{Member{"name", &Scene::name, {"title of the scene"}},
-                                      Member{"space", &Scene::space, {"the room", "", 0, 0, true}},
-                                      Member{"objects", &Scene::objects, {"what stands in it"}},
-                                      Member{"groups", &Scene::groups, {"what belongs together"}},
-                                      Member{"constraints", &Scene::constraints, {"the rules of the arrangement"}},
-                                      Member{"crowd", &Scene::crowd, {"the people in it"}},
-                                      Member{"seed", &Scene::seed, {"the source of every random choice", "", 0, 1.8446744073709552e19}}};
+  static constexpr std::tuple members{
+      Member{"name", &Scene::name, {"title of the scene"}},
+      Member{"space", &Scene::space, {"the room", "", 0, 0, true}},
+      Member{"objects", &Scene::objects, {"what stands in it"}},
+      Member{"groups", &Scene::groups, {"what belongs together"}},
+      Member{"constraints", &Scene::constraints, {"the rules of the arrangement"}},
+      Member{"crowd", &Scene::crowd, {"the people in it"}},
+      Member{"seed", &Scene::seed, {"the source of every random choice", "", 0, 1.8446744073709552e19}}};
 };
 
 constexpr std::string_view kFormatName = "inhabit-scene";

@@ -29,8 +29,15 @@ class RandomScene {
       for (std::uint32_t i = rng_.index(3); i > 0; --i) s.constraints.add(constraint<T>(s));
     });
     s.crowd.goals.push_back({id(), star({9, 9}, 3), extras()});
-    s.crowd.populations.push_back({id(), static_cast<int>(rng_.index(1000)), star({-9, 3}, 2), maybe(1, 9), rng_.uniform(0.1, 1),
-                                   rng_.uniform(0.1, 9), {rng_.uniform(), rng_.uniform()}, s.crowd.goals[0].id, extras()});
+    s.crowd.populations.push_back({id(),
+                                   static_cast<int>(rng_.index(1000)),
+                                   star({-9, 3}, 2),
+                                   maybe(1, 9),
+                                   rng_.uniform(0.1, 1),
+                                   rng_.uniform(0.1, 9),
+                                   {rng_.uniform(), rng_.uniform()},
+                                   s.crowd.goals[0].id,
+                                   extras()});
     s.crowd.sources.push_back({id(), star({5, 3}, 2), rng_.uniform(), rng_.uniform(0.1, 1), 2, {1, 0}, "", extras()});
     return s;
   }
@@ -39,7 +46,8 @@ class RandomScene {
   bool coin() { return rng_.index(2) == 0; }
   std::string id() { return text() + std::to_string(next_id_++); }
   std::string text() {
-    static constexpr std::string_view kPieces[] = {"a", "\"", "\\", "ü", "\n", "/", "~", "日本", " ", "x-", "😀", "\t", "\x7f"};
+    static constexpr std::string_view kPieces[] = {"a",    "\"", "\\", "ü", "\n", "/",   "~",
+                                                   "日本", " ",  "x-", "😀", "\t", "\x7f"};
     std::string out;
     for (std::uint32_t i = rng_.index(5); i > 0; --i) out += kPieces[rng_.index(std::size(kPieces))];
     return out;
@@ -49,12 +57,15 @@ class RandomScene {
     return {{"x-" + id(), R"({"a": [1, 2.50, "b"], "c": null})"}, {"x-" + id(), "-0.0e1"}};
   }
   double angle() { return radians(std::round(rng_.uniform(-360, 360) * 1e9) / 1e9); }
-  std::optional<double> maybe(double low, double high) { return coin() ? std::nullopt : std::optional(rng_.uniform(low, high)); }
+  std::optional<double> maybe(double low, double high) {
+    return coin() ? std::nullopt : std::optional(rng_.uniform(low, high));
+  }
   /// A simple counter-clockwise ring around a point, at least a third of the radius wide.
   Ring star(Vec2 center, double radius) {
     Ring ring;
     const std::uint32_t n = 5 + rng_.index(12);
-    for (std::uint32_t k = 0; k < n; ++k) ring.push_back(center + rng_.uniform(0.5 * radius, radius) * direction(2 * kPi * k / n - kPi / 2));
+    for (std::uint32_t k = 0; k < n; ++k)
+      ring.push_back(center + rng_.uniform(0.5 * radius, radius) * direction(2 * kPi * k / n - kPi / 2));
     return ring;
   }
   template <class Opening>
@@ -76,7 +87,8 @@ class RandomScene {
     o.clearance = {rng_.uniform(), coin() ? rng_.uniform() : 0, 0, rng_.uniform()};
     if (coin()) o.view = View{rng_.uniform(), std::abs(angle())};
     o.mass = maybe(0.1, 10), o.model = text(), o.extras = extras();
-    if (!s.objects.empty() && coin()) o.on = {Ref::Kind::object, rng_.index(static_cast<std::uint32_t>(s.objects.size()))};
+    if (!s.objects.empty() && coin())
+      o.on = {Ref::Kind::object, rng_.index(static_cast<std::uint32_t>(s.objects.size()))};
     return o;
   }
   Group group(std::uint32_t first) {
@@ -95,21 +107,38 @@ class RandomScene {
   T constraint(const Scene& s) {
     T c;
     for (const auto& field : T::kFields)
-      std::visit([&](auto pointer) { fill(c.*pointer, Spec{"", field.unit, field.low, field.high, true, field.choices}, s); }, field.member);
-    if constexpr (requires { c.min; c.max; }) c.max = *c.min + 1;
-    if constexpr (requires { c.wall; }) c.wall = static_cast<int>(rng_.index(static_cast<std::uint32_t>(s.space.walls())));
+      std::visit(
+          [&](auto pointer) {
+            fill(c.*pointer, Spec{"", field.unit, field.low, field.high, true, field.choices}, s);
+          },
+          field.member);
+    if constexpr (requires {
+                    c.min;
+                    c.max;
+                  })
+      c.max = *c.min + 1;
+    if constexpr (requires { c.wall; })
+      c.wall = static_cast<int>(rng_.index(static_cast<std::uint32_t>(s.space.walls())));
     c.stiffness = maybe(0, 1), c.weight = maybe(0, 9), c.extras = extras();
     return c;
   }
-  void fill(double& x, const Spec& spec, const Scene&) { x = spec.unit == "rad" ? angle() : rng_.uniform(spec.low, spec.high); }
+  void fill(double& x, const Spec& spec, const Scene&) {
+    x = spec.unit == "rad" ? angle() : rng_.uniform(spec.low, spec.high);
+  }
   void fill(std::optional<double>& x, const Spec& spec, const Scene& s) { fill(x.emplace(), spec, s); }
   void fill(std::optional<int>& x, const Spec& spec, const Scene& s) { fill(x.emplace(), spec, s); }
   void fill(bool& x, const Spec&, const Scene&) { x = coin(); }
   void fill(int& x, const Spec& spec, const Scene&) {
-    x = spec.choices.empty() ? 0 : static_cast<int>(rng_.index(static_cast<std::uint32_t>(split_choices(spec.choices).size())));
+    x = spec.choices.empty()
+            ? 0
+            : static_cast<int>(rng_.index(static_cast<std::uint32_t>(split_choices(spec.choices).size())));
   }
-  void fill(Ref& x, const Spec&, const Scene& s) { x = {Ref::Kind::object, rng_.index(static_cast<std::uint32_t>(s.objects.size()))}; }
-  void fill(std::array<Ref, 2>& x, const Spec&, const Scene&) { x = {Ref{Ref::Kind::object, 0}, Ref{Ref::Kind::object, 1}}; }
+  void fill(Ref& x, const Spec&, const Scene& s) {
+    x = {Ref::Kind::object, rng_.index(static_cast<std::uint32_t>(s.objects.size()))};
+  }
+  void fill(std::array<Ref, 2>& x, const Spec&, const Scene&) {
+    x = {Ref{Ref::Kind::object, 0}, Ref{Ref::Kind::object, 1}};
+  }
   void fill(Members& x, const Spec&, const Scene& s) {
     if (coin() && !s.groups.empty()) {
       x.all_of = {Ref::Kind::group, 0};

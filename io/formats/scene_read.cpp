@@ -21,10 +21,12 @@ class SceneReader {
   std::optional<Error> error;
 
   bool read(JsonValue root, Scene& scene) {
-    if (!root.is(Json::object)) return fail(root, std::string("a scene is an object, this is ") + std::string(name_of(root.kind())));
+    if (!root.is(Json::object))
+      return fail(root, std::string("a scene is an object, this is ") + std::string(name_of(root.kind())));
     if (const JsonValue format = root.find("format"); !format.none() && format.text() != kFormatName)
       return fail(format, "is not \"" + std::string(kFormatName) + "\"");
-    if (const JsonValue version = root.find("version"); !version.none() && version.text() != std::to_string(kFormatVersion))
+    if (const JsonValue version = root.find("version");
+        !version.none() && version.text() != std::to_string(kFormatVersion))
       return fail(version, version.is(Json::number) && version.number() > kFormatVersion
                                ? "written by a newer inhabit; this one reads version " + std::to_string(kFormatVersion)
                                : "is not " + std::to_string(kFormatVersion));
@@ -50,7 +52,8 @@ class SceneReader {
   bool collect_names(JsonValue root) {
     const JsonValue space = root.find("space");
     if (!space.none()) {
-      for (const auto& [list, kind] : {std::pair{"doors", Ref::Kind::door}, {"holes", Ref::Kind::none}, {"windows", Ref::Kind::none}})
+      for (const auto& [list, kind] :
+           {std::pair{"doors", Ref::Kind::door}, {"holes", Ref::Kind::none}, {"windows", Ref::Kind::none}})
         if (!collect(space.find(list), kind)) return false;
     }
     return collect(root.find("objects"), Ref::Kind::object) && collect(root.find("groups"), Ref::Kind::group);
@@ -72,7 +75,8 @@ class SceneReader {
     for_each_member<T>([&](std::string_view name, auto, const Spec&) { known.push_back(name); });
     constexpr bool kExtras = requires(T t) { t.extras; };
     for (const JsonValue member : v) {
-      if ((kExtras && member.key().starts_with("x-")) || std::ranges::find(known, member.key()) != known.end()) continue;
+      if ((kExtras && member.key().starts_with("x-")) || std::ranges::find(known, member.key()) != known.end())
+        continue;
       return fail(member, "unknown key" + did_you_mean(member.key(), known));
     }
     return true;
@@ -109,8 +113,8 @@ class SceneReader {
     const double low = file_bound(spec, spec.low), high = file_bound(spec, spec.high);
     if (!(v.number() >= low && v.number() <= high)) {
       const std::string_view unit = file_unit(spec);
-      return fail(v, std::string(v.text().substr(0, 40)) + " is outside [" + number_text(low) + ", " + number_text(high) + "]" +
-                         (unit.empty() ? "" : " " + std::string(unit)));
+      return fail(v, std::string(v.text().substr(0, 40)) + " is outside [" + number_text(low) + ", " +
+                         number_text(high) + "]" + (unit.empty() ? "" : " " + std::string(unit)));
     }
     out = spec.unit == "rad" ? radians(std::round(v.number() * 1e9) / 1e9) : v.number();
     return true;
@@ -173,7 +177,7 @@ class SceneReader {
     return true;
   }
   template <class E>
-    requires std::is_enum_v<E>
+  requires std::is_enum_v<E>
   bool read(JsonValue v, E& out, const Spec& spec) {
     int index = 0;
     if (!choice(v, index, spec)) return false;
@@ -208,12 +212,10 @@ class SceneReader {
     return true;
   }
   template <class T>
-    requires HasTable<T>
-  bool read(JsonValue v, T& out, const Spec&) {
-    return read_object(v, out);
-  }
+  requires HasTable<T>
+  bool read(JsonValue v, T& out, const Spec&) { return read_object(v, out); }
   template <class T>
-    requires HasTable<T>
+  requires HasTable<T>
   bool read(JsonValue v, std::vector<T>& out, const Spec& spec) {
     if (!expect(v, Json::array)) return false;
     out.reserve(v.size());
@@ -257,7 +259,9 @@ class SceneReader {
     std::ranges::sort(candidates);
     return fail(v, "no " + std::string(wanted) + " is called " + quoted(v.text()) + did_you_mean(v.text(), candidates));
   }
-  bool member(JsonValue v, Ref& out) { return resolve(v, out, {Ref::Kind::object, Ref::Kind::group}, "object or group"); }
+  bool member(JsonValue v, Ref& out) {
+    return resolve(v, out, {Ref::Kind::object, Ref::Kind::group}, "object or group");
+  }
   bool read(JsonValue v, Ref& out, const Spec& spec) {
     if (spec.carrier) return v.is(Json::null) || resolve(v, out, {Ref::Kind::object}, "object");
     return resolve(v, out, {Ref::Kind::object, Ref::Kind::group, Ref::Kind::door}, "object, group or door");
@@ -328,7 +332,8 @@ class SceneReader {
       if (field.name != "wall" || pointer == nullptr || !(constraint.**pointer) || !good) continue;
       int& wall = *(constraint.**pointer);
       if (static_cast<std::size_t>(wall) >= walls_)
-        good = fail(v.find("wall"), "there is no wall " + std::to_string(wall) + ", the outline has walls 0 to " + std::to_string(walls_ - 1));
+        good = fail(v.find("wall"), "there is no wall " + std::to_string(wall) + ", the outline has walls 0 to " +
+                                        std::to_string(walls_ - 1));
       if (outline_turned_) wall = turned_wall(wall, walls_);
     }
     return good;

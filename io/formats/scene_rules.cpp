@@ -25,13 +25,14 @@ Status check_openings(const Space& space, const std::vector<Opening>& openings, 
   for (std::size_t i = 0; i < openings.size(); ++i) {
     const Opening& o = openings[i];
     if (o.wall < 0 || static_cast<std::size_t>(o.wall) >= space.walls())
-      return invalid(at(list, i, "wall"), "there is no wall " + std::to_string(o.wall) + ", the outline has walls 0 to " +
-                                              std::to_string(space.walls() - 1));
+      return invalid(at(list, i, "wall"), "there is no wall " + std::to_string(o.wall) +
+                                              ", the outline has walls 0 to " + std::to_string(space.walls() - 1));
     const auto k = static_cast<std::size_t>(o.wall);
     const double wall = length(space.wall_end(k) - space.wall_start(k));
     if (o.from + o.width > wall + kSlack)
-      return invalid(at(list, i), "from " + number_text(o.from) + " m, " + number_text(o.width) + " m wide, it ends beyond wall " +
-                                      std::to_string(o.wall) + ", which is " + number_text(std::round(wall * 1e4) / 1e4) + " m long");
+      return invalid(at(list, i), "from " + number_text(o.from) + " m, " + number_text(o.width) +
+                                      " m wide, it ends beyond wall " + std::to_string(o.wall) + ", which is " +
+                                      number_text(std::round(wall * 1e4) / 1e4) + " m long");
   }
   return Done{};
 }
@@ -99,7 +100,8 @@ Status check_goals(const Crowd& crowd, const std::vector<Walker>& list, std::str
   for (const Goal& goal : crowd.goals) names.push_back(goal.id);
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (!list[i].goal.empty() && std::ranges::find(names, list[i].goal) == names.end())
-      return invalid(at(where, i, "goal"), "no goal is called " + quoted(list[i].goal) + did_you_mean(list[i].goal, names));
+      return invalid(at(where, i, "goal"),
+                     "no goal is called " + quoted(list[i].goal) + did_you_mean(list[i].goal, names));
   }
   return Done{};
 }
@@ -112,7 +114,8 @@ Status check_space(const Space& space) {
     const double outside = area_outside(hole, space.outline);
     if (outside <= kSlack) continue;
     const bool apart = outside >= std::abs(signed_area(hole)) - kSlack;
-    return invalid(at("/space/holes", i, "outline"), apart ? "the hole lies outside the outline" : "the hole crosses the outline");
+    return invalid(at("/space/holes", i, "outline"),
+                   apart ? "the hole lies outside the outline" : "the hole crosses the outline");
   }
   if (const Status doors = check_openings(space, space.doors, "/space/doors"); !doors) return doors;
   return check_openings(space, space.windows, "/space/windows");
@@ -143,7 +146,8 @@ Status check_groups(const Scene& scene) {
       int& group = ref.kind == Ref::Kind::group ? of_group[ref.index] : of_object[ref.index];
       if (group >= 0)
         return invalid(at("/groups", g, "members") + "/" + std::to_string(m),
-                       quoted(scene.id_of(ref)) + " is in group " + quoted(scene.groups[static_cast<std::size_t>(group)].id) + " already");
+                       quoted(scene.id_of(ref)) + " is in group " +
+                           quoted(scene.groups[static_cast<std::size_t>(group)].id) + " already");
       group = static_cast<int>(g);
     }
   }

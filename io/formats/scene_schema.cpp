@@ -83,10 +83,8 @@ class SchemaWriter {
     if (spec.required) out_ += R"(, "minLength": 1)";
   }
   template <class E>
-    requires std::is_enum_v<E>
-  void type(std::type_identity<E>, const Spec& spec) {
-    choices(spec);
-  }
+  requires std::is_enum_v<E>
+  void type(std::type_identity<E>, const Spec& spec) { choices(spec); }
   void choices(const Spec& spec) {
     out_ += R"("enum": [)";
     for (const std::string_view name : split_choices(spec.choices)) out_ += quoted(name) + ", ";
@@ -128,10 +126,8 @@ class SchemaWriter {
     out_ += R"(, "minProperties": 1, "maxProperties": 1)";
   }
   template <class T>
-    requires HasTable<T>
-  void type(std::type_identity<T>, const Spec&) {
-    properties<T>("", "");
-  }
+  requires HasTable<T>
+  void type(std::type_identity<T>, const Spec&) { properties<T>("", ""); }
   template <class T>
   void type(std::type_identity<std::vector<T>>, const Spec& spec) {
     out_ += R"("type": "array", "items": {)";
@@ -163,14 +159,16 @@ template <class X>
 std::string kind_of(const Spec& spec) {
   if (!spec.choices.empty()) {
     std::string all;
-    for (const std::string_view name : split_choices(spec.choices)) all += (all.empty() ? "" : ", ") + std::string(name);
+    for (const std::string_view name : split_choices(spec.choices))
+      all += (all.empty() ? "" : ", ") + std::string(name);
     return all;
   }
   if constexpr (std::is_same_v<X, Ref>) return "id";
   if constexpr (std::is_same_v<X, std::array<Ref, 2>>) return "two ids";
   if constexpr (std::is_same_v<X, Members>) return "ids, or one group's id";
   if constexpr (std::is_same_v<X, bool>) return "true or false";
-  std::string text = std::string("[") + number_text(file_bound(spec, spec.low)) + ", " + number_text(file_bound(spec, spec.high)) + "]";
+  std::string text = std::string("[") + number_text(file_bound(spec, spec.low)) + ", " +
+                     number_text(file_bound(spec, spec.high)) + "]";
   if (!file_unit(spec).empty()) text += " " + std::string(file_unit(spec));
   if constexpr (std::is_same_v<X, Vec2>) return "point in " + text;
   if constexpr (std::is_same_v<X, Ring>) return "polygon in " + text;
@@ -183,20 +181,23 @@ std::string scene_schema() { return pretty_json(SchemaWriter().text()); }
 
 std::string constraints_page() {
   std::string page =
-      "# Constraints\n\nEvery constraint that a scene may hold, in the order of projection. This page is made from the tables in\n"
-      "`scene/constraint_kinds.h`. Lists of ids name objects and groups; one group's id stands for all its members. Angles are\n"
+      "# Constraints\n\nEvery constraint that a scene may hold, in the order of projection. This page is made from the "
+      "tables in\n"
+      "`scene/constraint_kinds.h`. Lists of ids name objects and groups; one group's id stands for all its members. "
+      "Angles are\n"
       "degrees. Members in bold must be given.\n";
   for_each_type(ConstraintKinds{}, [&]<class T>(std::type_identity<T>) {
     page += "\n## " + std::string(T::kName) + "\n\n| member | meaning | values | default |\n|---|---|---|---|\n";
     for_each_member<T>([&](std::string_view name, auto pointer, const Spec& spec) {
       using X = std::remove_cvref_t<decltype(std::declval<T>().*pointer)>;
       const std::string mark = spec.required ? "**" : "";
-      page += "| " + mark + std::string(name) + mark + " | " + std::string(spec.help) + " | " + kind_of<X>(spec) + " | " +
-              default_of<T>(pointer, spec) + " |\n";
+      page += "| " + mark + std::string(name) + mark + " | " + std::string(spec.help) + " | " + kind_of<X>(spec) +
+              " | " + default_of<T>(pointer, spec) + " |\n";
     });
     if constexpr (requires { T::kNeedsOneOf; }) {
       page += "\nAt least one of";
-      for (const std::string_view name : T::kNeedsOneOf) page += (name == T::kNeedsOneOf.front() ? " " : ", ") + std::string(name);
+      for (const std::string_view name : T::kNeedsOneOf)
+        page += (name == T::kNeedsOneOf.front() ? " " : ", ") + std::string(name);
       page += " must be given.\n";
     }
   });

@@ -1,8 +1,8 @@
 #pragma once
 #include <string>
 
-/// What a scene document may hold, written down from the tables that the reader uses. Both texts are kept in docs/; after a
-/// change of the tables run the tests once with INHABIT_UPDATE_DOCS=1.
+/// What a scene document may hold, written down from the tables that the reader uses. Both texts are kept in docs/;
+/// after a change of the tables run the tests once with INHABIT_UPDATE_DOCS=1.
 namespace inhabit::io {
 
 /// JSON Schema, draft 7. The reader is stricter: it also resolves names and looks at the geometry.

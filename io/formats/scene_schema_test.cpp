@@ -79,8 +79,10 @@ TEST_CASE("what the reader accepts the schema accepts and what the schema refuse
   full["seed"] = 7;  // the validator holds integers in 63 bits, the reader in 64
   CHECK(schema.why_not(full) == "");
   CHECK(schema.why_not(Json::parse(write_scene(*read_scene(full.dump())))) == "");
-  // Every value of a good document, replaced by values that do not belong there, or taken away, or joined by an unknown one.
-  const std::vector<Json> foreign = {nullptr, true, -1, 1.5, 20000000, "x", "", Json::array(), Json::object(), {1, 2}, {{"x-a", 1}}};
+  // Every value of a good document, replaced by values that do not belong there, or taken away, or joined by an unknown
+  // one.
+  const std::vector<Json> foreign = {nullptr,       true,           -1,     1.5,         20000000, "x", "",
+                                     Json::array(), Json::object(), {1, 2}, {{"x-a", 1}}};
   std::size_t refused = 0, stricter = 0, accepted = 0;
   const auto compare = [&](const Json& scene, const std::string& where) {
     const bool by_schema = schema.accepts(scene), by_reader = read_scene(scene.dump()).ok();
@@ -109,11 +111,13 @@ TEST_CASE("what the reader accepts the schema accepts and what the schema refuse
 TEST_CASE("the reader alone refuses only names and geometry") {
   const SchemaCheck schema;
   // Form: both refuse.
-  for (const char* bad : {R"({})", R"({"space": {"outline": [[0, 0], [1, 0]]}})", R"({"space": 1})",
-                          R"({"space": {"outline": [[0, 0], [1, 0], [0, 1]], "height": -1}})",
-                          R"({"space": {"outline": [[0, 0], [1, 0], [0, 1]]}, "seed": 1.5})",
-                          R"({"space": {"outline": [[0, 0], [1, 0], [0, 1]]}, "constraints": [{"type": "distance", "between": ["a", "b"]}]})",
-                          R"({"space": {"outline": [[0, 0], [1, 0], [0, 1]]}, "objects": [{"id": "a", "angle": 361}]})"}) {
+  for (
+      const char* bad :
+      {R"({})", R"({"space": {"outline": [[0, 0], [1, 0]]}})", R"({"space": 1})",
+       R"({"space": {"outline": [[0, 0], [1, 0], [0, 1]], "height": -1}})",
+       R"({"space": {"outline": [[0, 0], [1, 0], [0, 1]]}, "seed": 1.5})",
+       R"({"space": {"outline": [[0, 0], [1, 0], [0, 1]]}, "constraints": [{"type": "distance", "between": ["a", "b"]}]})",
+       R"({"space": {"outline": [[0, 0], [1, 0], [0, 1]]}, "objects": [{"id": "a", "angle": 361}]})"}) {
     CHECK_FALSE(schema.accepts(Json::parse(bad)));
     CHECK_FALSE(read_scene(bad).ok());
   }

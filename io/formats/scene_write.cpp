@@ -59,10 +59,8 @@ class SceneWriter {
   void write(std::uint64_t value, const Spec&) { out_ += std::to_string(value); }
   void write(const std::string& value, const Spec&) { append_quoted(out_, value); }
   template <class E>
-    requires std::is_enum_v<E>
-  void write(E value, const Spec& spec) {
-    write(static_cast<int>(value), spec);
-  }
+  requires std::is_enum_v<E>
+  void write(E value, const Spec& spec) { write(static_cast<int>(value), spec); }
   template <class T>
   void write(const std::optional<T>& value, const Spec& spec) {
     write(*value, spec);
@@ -83,10 +81,8 @@ class SceneWriter {
     }
   }
   template <class T>
-    requires HasTable<T>
-  void write(const T& value, const Spec&) {
-    object(value);
-  }
+  requires HasTable<T>
+  void write(const T& value, const Spec&) { object(value); }
   void write(const Curve& curve, const Spec&) { object(curve_to_file(curve)); }
   void write(const Constraints& constraints, const Spec&) {
     out_ += '[';

@@ -80,7 +80,8 @@ class WktReader {
     if (type == "POLYGON") return empty || polygon();
     if (type == "MULTIPOLYGON") return empty || list([&] { return polygon(); });
     if (type == "GEOMETRYCOLLECTION") return empty || list([&] { return geometry(depth + 1); });
-    static constexpr std::string_view kOthers[] = {"POINT", "LINESTRING", "MULTIPOINT", "MULTILINESTRING", "LINEARRING"};
+    static constexpr std::string_view kOthers[] = {"POINT", "LINESTRING", "MULTIPOINT", "MULTILINESTRING",
+                                                   "LINEARRING"};
     if (std::ranges::find(kOthers, type) != std::end(kOthers)) {
       if (dropped.size() < 100) dropped.push_back(type);
       return empty || skip_brackets();
@@ -114,7 +115,8 @@ class WktReader {
     const bool good = list([&] {
       Ring ring;
       if (!list([&] { return corner(ring); })) return false;
-      if (ring.size() < 4 || ring.front() != ring.back()) return fail("a ring has four corners or more and ends where it starts");
+      if (ring.size() < 4 || ring.front() != ring.back())
+        return fail("a ring has four corners or more and ends where it starts");
       (first ? area.outline : area.holes.emplace_back()) = std::move(ring);
       first = false;
       return true;

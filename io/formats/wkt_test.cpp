@@ -22,7 +22,8 @@ TEST_CASE("a polygon with a hole becomes a space corner for corner") {
 
 TEST_CASE("collections give a scene per polygon and name what is no area") {
   const auto scenes = read_wkt(
-      "SRID=25832;GEOMETRYCOLLECTION(MULTIPOLYGON Z(((0 0 1,1 0 1,0 1 1,0 0 1)),((5 5 1,6 5 1,5 6 1,5 5 1))),POINT(1 2),"
+      "SRID=25832;GEOMETRYCOLLECTION(MULTIPOLYGON Z(((0 0 1,1 0 1,0 1 1,0 0 1)),((5 5 1,6 5 1,5 6 1,5 5 1))),POINT(1 "
+      "2),"
       "LINESTRING EMPTY,GEOMETRYCOLLECTION(polygon((9 9,10 9,9 10,9 9))),POLYGON EMPTY)");
   REQUIRE_MESSAGE(scenes.ok(), scenes.error().text());
   CHECK(scenes->size() == 3);
@@ -30,7 +31,8 @@ TEST_CASE("collections give a scene per polygon and name what is no area") {
 }
 
 TEST_CASE("a plan in a national grid is moved to the origin by whole metres") {
-  const auto scenes = read_wkt("POLYGON((395131.5 5268347.25, 395141.5 5268347.25, 395141.5 5268357.25, 395131.5 5268347.25))");
+  const auto scenes =
+      read_wkt("POLYGON((395131.5 5268347.25, 395141.5 5268347.25, 395141.5 5268357.25, 395131.5 5268347.25))");
   REQUIRE(scenes.ok());
   CHECK((*scenes)[0].space.outline == Ring{{0.5, 0.25}, {10.5, 0.25}, {10.5, 10.25}});
   CHECK((*scenes)[0].extras == Extras{{"x-origin", "[395131, 5268347]"}});
@@ -44,11 +46,13 @@ TEST_CASE("an outline that crosses itself is repaired and says so") {
 }
 
 TEST_CASE("malformed text is refused with line and column") {
-  CHECK(read_wkt("").error().text() == "line 1, column 1: a geometry belongs here, such as POLYGON ((0 0, 4 0, 4 3, 0 3, 0 0))");
+  CHECK(read_wkt("").error().text() ==
+        "line 1, column 1: a geometry belongs here, such as POLYGON ((0 0, 4 0, 4 3, 0 3, 0 0))");
   CHECK(read_wkt("POLIGON((0 0))").error().text() == "line 1, column 1: unknown geometry; did you mean \"POLYGON\"?");
   CHECK(read_wkt("POLYGON((0 0,\n 1 a").error().text() == "line 2, column 4: a number belongs here");
   CHECK(read_wkt("POLYGON((0 0, 1 0, 0 1, 0 0)").error().message == "\")\" is missing");
-  CHECK(read_wkt("POLYGON((0 0, 1 0, 0 1))").error().message == "a ring has four corners or more and ends where it starts");
+  CHECK(read_wkt("POLYGON((0 0, 1 0, 0 1))").error().message ==
+        "a ring has four corners or more and ends where it starts");
   CHECK_FALSE(read_wkt("POLYGON((0 0, nan 0, 0 1, 0 0))").ok());
   CHECK_FALSE(read_wkt("POLYGON((0 0, 1e400 0, 0 1, 0 0))").ok());
   CHECK_FALSE(read_wkt("POLYGON((0 0, 1e300 0, 0 1, 0 0))").ok());
