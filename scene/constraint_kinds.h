@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+
 #include "core/type_list.h"
 #include "scene/field.h"
 
@@ -10,6 +12,7 @@ namespace inhabit::scene {
 struct Strength {
   std::optional<double> stiffness;  ///< k0 in [0, 1]
   std::optional<double> weight;     ///< gamma of the energy, TVCG eq. 1
+  Extras extras;
   friend bool operator==(const Strength&, const Strength&) = default;
 };
 
@@ -18,6 +21,8 @@ struct Distance : Strength {
   std::array<Ref, 2> between;
   std::optional<double> distance, min, max;
   static constexpr std::string_view kName = "distance";
+  /// At least one of these must be given.
+  static constexpr std::array<std::string_view, 3> kNeedsOneOf = {"distance", "min", "max"};
   static constexpr std::array kFields = {
       Field<Distance>{"between", &Distance::between, "the two objects or groups", "", 0, 0, true},
       Field<Distance>{"distance", &Distance::distance, "wanted distance between the centres", "m", 0, 1e5},
@@ -32,6 +37,8 @@ struct FocalDistance : Strength {
   std::optional<double> distance, min, max;
   bool focal_fixed = false;
   static constexpr std::string_view kName = "focal_distance";
+  /// At least one of these must be given.
+  static constexpr std::array<std::string_view, 3> kNeedsOneOf = {"distance", "min", "max"};
   static constexpr std::array kFields = {
       Field<FocalDistance>{"focal", &FocalDistance::focal, "the object they gather round", "", 0, 0, true},
       Field<FocalDistance>{"members", &FocalDistance::members, "who gathers round it", "", 0, 0, true},
@@ -235,6 +242,18 @@ struct Constraints {
     array.push_back(std::move(constraint));
   }
   std::size_t size() const { return order.size(); }
+
+  /// The same constraints in the same order.
+  friend bool operator==(const Constraints& a, const Constraints& b) {
+    bool same = a.order == b.order;
+    for_each_type(ConstraintKinds{}, [&]<class T>(std::type_identity<T>) {
+      const auto equal = [](const T& p, const T& q) {
+        return static_cast<const Strength&>(p) == static_cast<const Strength&>(q) && same_fields(p, q);
+      };
+      same = same && std::equal(a.of<T>().begin(), a.of<T>().end(), b.of<T>().begin(), b.of<T>().end(), equal);
+    });
+    return same;
+  }
 };
 
 }  // namespace inhabit::scene

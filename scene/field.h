@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -30,6 +31,9 @@ struct Members {
   friend bool operator==(const Members&, const Members&) = default;
 };
 
+/// A user's own `x-…` member, kept as JSON text.
+using Extras = std::vector<std::pair<std::string, std::string>>;
+
 /// A choice by name; the names stand in the field's `choices`, the value is their index.
 using Choice = int;
 
@@ -49,5 +53,14 @@ struct Field {
   /// What a Choice may be, separated by `|`: "box|sphere|off".
   std::string_view choices = "";
 };
+
+/// True when two constraints say the same, member for member.
+template <class T>
+bool same_fields(const T& a, const T& b) {
+  for (const auto& field : T::kFields) {
+    if (!std::visit([&](auto member) { return a.*member == b.*member; }, field.member)) return false;
+  }
+  return true;
+}
 
 }  // namespace inhabit::scene

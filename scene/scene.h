@@ -4,13 +4,11 @@
 /// The scene document as plain data: what a file says, in metres and radians, with every name resolved.
 namespace inhabit::scene {
 
-/// A user's own `x-…` member, kept as JSON text.
-using Extras = std::vector<std::pair<std::string, std::string>>;
-
 struct Hole {
   std::string id;
   Ring outline;  ///< counter-clockwise as read
   Extras extras;
+  friend bool operator==(const Hole&, const Hole&) = default;
 };
 
 /// An opening that people use. `from` is measured along the wall from its first corner.
@@ -21,6 +19,7 @@ struct Door {
   enum class Swing { in, out, none } swing = Swing::in;
   enum class Hinge { start, end } hinge = Hinge::start;  ///< which jamb the leaf turns on, along the wall
   Extras extras;
+  friend bool operator==(const Door&, const Door&) = default;
 };
 
 struct Window {
@@ -28,6 +27,7 @@ struct Window {
   int wall = 0;
   double from = 0, width = 1, sill = 0.9, height = 1.2;
   Extras extras;
+  friend bool operator==(const Window&, const Window&) = default;
 };
 
 /// The room: wall k joins corner k to corner k + 1 of the outline, which runs counter-clockwise.
@@ -42,17 +42,20 @@ struct Space {
   std::size_t walls() const { return outline.size(); }
   Vec2 wall_start(std::size_t k) const { return outline[k]; }
   Vec2 wall_end(std::size_t k) const { return outline[(k + 1) % outline.size()]; }
+  friend bool operator==(const Space&, const Space&) = default;
 };
 
 /// Free depth wanted in front of each face, metres.
 struct Clearance {
   double front = 0, back = 0, left = 0, right = 0;
   bool any() const { return front > 0 || back > 0 || left > 0 || right > 0; }
+  friend bool operator==(const Clearance&, const Clearance&) = default;
 };
 
 /// A cone from the centre of the front face that must stay free: `angle` is its full opening, radians.
 struct View {
   double distance = 0, angle = 0;
+  friend bool operator==(const View&, const View&) = default;
 };
 
 enum class Mount { floor, wall, ceiling };
@@ -73,6 +76,7 @@ struct Object {
   std::optional<double> mass;     ///< absent: the box's volume
   std::string model;
   Extras extras;
+  friend bool operator==(const Object&, const Object&) = default;
 };
 
 /// Members are pulled onto the segment, or the circular arc about `center` that runs counter-clockwise from start to end.
@@ -80,6 +84,7 @@ struct Curve {
   enum class Kind { segment, arc } kind = Kind::segment;
   Vec2 start, end, center;
   bool medial_axis = false;  ///< a segment without end points: the medial axis of the group's bounding box
+  friend bool operator==(const Curve&, const Curve&) = default;
 };
 
 /// Objects and groups that belong together; a particle of its own. In a rigid group the members' positions and angles give
@@ -93,10 +98,12 @@ struct Group {
   std::optional<Vec2> position;
   std::optional<double> angle;
   Extras extras;
+  friend bool operator==(const Group&, const Group&) = default;
 };
 
 struct Speed {
   double mean = 1.34, deviation = 0.26;
+  friend bool operator==(const Speed&, const Speed&) = default;
 };
 
 struct Population {
@@ -108,6 +115,7 @@ struct Population {
   Speed speed;
   std::string goal;
   Extras extras;
+  friend bool operator==(const Population&, const Population&) = default;
 };
 
 struct Source {
@@ -118,12 +126,14 @@ struct Source {
   Speed speed;
   std::string goal;
   Extras extras;
+  friend bool operator==(const Source&, const Source&) = default;
 };
 
 struct Goal {
   std::string id;
   Ring area;
   Extras extras;
+  friend bool operator==(const Goal&, const Goal&) = default;
 };
 
 struct Crowd {
@@ -132,6 +142,7 @@ struct Crowd {
   std::vector<Goal> goals;
   Extras extras;
   bool empty() const { return populations.empty() && sources.empty() && goals.empty() && extras.empty(); }
+  friend bool operator==(const Crowd&, const Crowd&) = default;
 };
 
 struct Scene {
@@ -155,6 +166,7 @@ struct Scene {
     }
     return kNone;
   }
+  friend bool operator==(const Scene&, const Scene&) = default;
 };
 
 }  // namespace inhabit::scene

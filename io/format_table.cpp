@@ -1,0 +1,124 @@
+#include "io/format_table.h"
+
+#include <algorithm>
+
+#include "core/text.h"
+#include "io/file.h"
+#include "io/formats/geojson.h"
+#include "io/formats/procthor.h"
+#include "io/formats/scene_json.h"
+#include "io/formats/wkt.h"
+
+namespace inhabit::io {
+namespace {
+
+/// How much of a file its first keys are looked for in.
+constexpr std::size_t kHead = 4096;
+
+std::string_view trimmed(std::string_view bytes) {
+  if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+  const std::size_t start = bytes.find_first_not_of(" \t\r\n");
+  return start == std::string_view::npos ? std::string_view{} : bytes.substr(start);
+}
+bool json_with(std::string_view bytes, std::initializer_list<std::string_view> words) {
+  const std::string_view head = trimmed(bytes).substr(0, kHead);
+  return head.starts_with('{') &&
+         std::ranges::any_of(words, [&](std::string_view word) { return head.find(word) != std::string_view::npos; });
+}
+
+bool is_scene(std::string_view bytes) { return json_with(bytes, {"\"inhabit-scene\"", "\"space\""}); }
+bool is_wkt(std::string_view bytes) {
+  const std::string_view head = trimmed(bytes);
+  return std::ranges::any_of(
+      std::initializer_list<std::string_view>{"POLYGON", "MULTIPOLYGON", "GEOMETRYCOLLECTION", "SRID="},
+      [&](std::string_view word) { return head.starts_with(word); });
+}
+bool is_geojson(std::string_view bytes) {
+  return json_with(bytes, {"\"FeatureCollection\"", "\"coordinates\"", "\"geometries\"", "\"Feature\""});
+}
+bool is_procthor(std::string_view bytes) {
+  return json_with(bytes, {"\"floorPolygon\"", "\"proceduralParameters\"", "\"roomType\""});
+}
+
+Result<Scenes> one(Result<scene::Scene> scene) {
+  if (!scene) return scene.error();
+  Scenes scenes;
+  scenes.push_back(*std::move(scene));
+  return scenes;
+}
+Result<Scenes> read_procthor_file(std::string_view bytes, const ReadOptions& options) {
+  if (options.asset_database.empty())
+    return invalid("", "a ProcTHOR house needs the asset database with the sizes of its pieces");
+  const Result<std::string> database = read_file(options.asset_database);
+  if (!database) return database.error();
+  const Result<Assets> assets = read_procthor_assets(*database);
+  if (!assets) return invalid(options.asset_database.string() + assets.error().where, assets.error().message);
+  return read_procthor(bytes, *assets, options.line);
+}
+
+// One line per format; the first whose sniffing agrees reads a file.
+constexpr Format kFormats[] = {
+    {"scene", "json", is_scene, [](std::string_view b, const ReadOptions&) { return one(read_scene(b)); }, write_scene,
+     "inhabit's own scene document"},
+    {"wkt", "wkt", is_wkt, [](std::string_view b, const ReadOptions&) { return read_wkt(b); }, nullptr,
+     "walkable areas as well-known text (JuPedSim)"},
+    {"geojson", "geojson", is_geojson, [](std::string_view b, const ReadOptions&) { return read_geojson(b); }, nullptr,
+     "floor plans and WRLD indoor maps"},
+    {"procthor", "json jsonl", is_procthor, read_procthor_file, nullptr,
+     "ProcTHOR / AI2-THOR houses, one or one per line"},
+};
+
+bool has_extension(const Format& format, std::string_view extension) {
+  for (std::string_view rest = format.extensions; !rest.empty();) {
+    const std::size_t space = std::min(rest.find(' '), rest.size());
+    if (rest.substr(0, space) == extension) return true;
+    rest.remove_prefix(std::min(space + 1, rest.size()));
+  }
+  return false;
+}
+std::string extension_of(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  if (!extension.empty()) extension.erase(0, 1);
+  std::ranges::transform(extension, extension.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return extension;
+}
+
+}  // namespace
+
+std::span<const Format> formats() { return kFormats; }
+
+const Format* format_to_write(const std::filesystem::path& path) {
+  const auto found = std::ranges::find_if(
+      kFormats, [&](const Format& f) { return f.write != nullptr && has_extension(f, extension_of(path)); });
+  return found == std::end(kFormats) ? nullptr : found;
+}
+
+Result<Scenes> read_any_bytes(std::string_view bytes, std::string_view name, const ReadOptions& options) {
+  if (is_gzip(bytes)) {
+    const Result<std::string> unpacked = gunzip(bytes);
+    if (!unpacked) return unpacked.error();
+    if (is_gzip(*unpacked)) return invalid("", "gzip within gzip");
+    return read_any_bytes(*unpacked, name.ends_with(".gz") ? name.substr(0, name.size() - 3) : name, options);
+  }
+  auto format = std::ranges::find_if(kFormats, [&](const Format& f) { return f.sniff(bytes); });
+  const std::string extension = extension_of(name);
+  if (format == std::end(kFormats))
+    format = std::ranges::find_if(kFormats, [&](const Format& f) { return has_extension(f, extension); });
+  if (format != std::end(kFormats)) return format->read(bytes, options);
+  std::string known;
+  for (const Format& f : kFormats) known += (known.empty() ? "" : ", ") + std::string(f.name);
+  return Error{ErrorCode::unsupported, "none of the known formats: " + known, ""};
+}
+
+Result<Scenes> read_any(const std::filesystem::path& path, const ReadOptions& options) {
+  const Result<std::string> bytes = read_file(path);
+  if (!bytes) return bytes.error();
+  Result<Scenes> scenes = read_any_bytes(*bytes, path.filename().string(), options);
+  if (scenes) return scenes;
+  Error error = scenes.error();
+  error.where = path.string() + (error.where.empty() ? "" : ": ") + error.where;
+  return error;
+}
+
+}  // namespace inhabit::io

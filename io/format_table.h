@@ -1,0 +1,40 @@
+#pragma once
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/scene.h"
+
+/// Every format that spaces and furnished rooms are read from and written to.
+namespace inhabit::io {
+
+struct ReadOptions {
+  /// ProcTHOR's asset-database.json, without which its houses have no sizes.
+  std::filesystem::path asset_database;
+  /// The house of a file with one per line, from 1; 0: all.
+  std::size_t line = 0;
+};
+
+using Scenes = std::vector<scene::Scene>;
+
+struct Format {
+  std::string_view name;
+  std::string_view extensions;            ///< separated by spaces, the first is the one for writing
+  bool (*sniff)(std::string_view bytes);  ///< true when the content looks like this format
+  core::Result<Scenes> (*read)(std::string_view bytes, const ReadOptions& options);
+  std::string (*write)(const scene::Scene& scene);  ///< nullptr: read only
+  std::string_view help;
+};
+
+std::span<const Format> formats();
+/// The format that writes files with this extension; nullptr when none does.
+const Format* format_to_write(const std::filesystem::path& path);
+
+/// Reads a file by its content, then by its extension; gzip is unpacked. Errors name the file.
+core::Result<Scenes> read_any(const std::filesystem::path& path, const ReadOptions& options = {});
+/// The same for bytes in memory; `name` decides where the content leaves open what it is.
+core::Result<Scenes> read_any_bytes(std::string_view bytes, std::string_view name, const ReadOptions& options = {});
+
+}  // namespace inhabit::io

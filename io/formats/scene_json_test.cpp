@@ -1,0 +1,206 @@
+#include "io/formats/scene_json.h"
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+
+#include "io/scene_examples.h"
+
+using namespace inhabit::io;
+using namespace inhabit::scene;
+
+namespace {
+
+/// The error of a scene that holds `rest` beside a room of 5 by 4 metres.
+std::string error_of(const std::string& rest) {
+  const auto scene = read_scene(R"({"space": {"outline": [[0, 0], [5, 0], [5, 4], [0, 4]]}, )" + rest + "}");
+  return scene ? "" : scene.error().text();
+}
+std::string space_error(const std::string& rest) {
+  const auto scene = read_scene(R"({"space": {"outline": [[0, 0], [5, 0], [5, 4], [0, 4]], )" + rest + "}}");
+  return scene ? "" : scene.error().text();
+}
+std::string constraint_error(const std::string& constraint) {
+  return error_of(
+      R"("objects": [{"id": "lamp"}, {"id": "chair"}], "groups": [{"id": "both", "members": ["lamp", "chair"]}],
+                     "constraints": [)" +
+      constraint + "]");
+}
+
+}  // namespace
+
+TEST_CASE("the document of the manual is read and writing it is stable") {
+  const auto scene = read_scene(kFullScene);
+  REQUIRE_MESSAGE(scene.ok(), scene.error().text());
+  CHECK(scene->objects.size() == 6);
+  CHECK(scene->objects[0].angle == doctest::Approx(kPi / 2));
+  CHECK(scene->id_of(scene->groups[0].members[1]) == "chair-1");
+}
+
+TEST_CASE("reading what was written gives the same scene and the same bytes") {
+  const auto scene = read_scene(kFullScene);
+  REQUIRE(scene.ok());
+  const std::string text = write_scene(*scene);
+  const auto again = read_scene(text);
+  REQUIRE_MESSAGE(again.ok(), again.error().text());
+  CHECK(*again == *scene);
+  CHECK(write_scene(*again) == text);
+  CHECK(text.find("1.50e2") != std::string::npos);  // the user's own members keep their digits
+  CHECK(text.find("12345678901234567890123") != std::string::npos);
+  CHECK(text.find("\"angle\": 60.123456789}") != std::string::npos);
+  CHECK(text.find("\"outline\": [[0, 0], [4.6, 0], [4.6, 3.4], [0, 3.4]]") != std::string::npos);
+}
+
+TEST_CASE("what equals a default is not written") {
+  Scene scene;
+  scene.space.outline = {{0, 0}, {1, 0}, {0, 1}};
+  CHECK(write_scene(scene) ==
+        "{\n  \"format\": \"inhabit-scene\",\n  \"version\": 1,\n  \"space\": {\"outline\": [[0, 0], [1, 0], [0, "
+        "1]]}\n}\n");
+}
+
+TEST_CASE("a clockwise outline is turned round and doors and windows stay where they were") {
+  const auto scene = read_scene(R"({"space": {"outline": [[0, 0], [0, 4], [5, 4], [5, 0]],
+    "doors": [{"id": "d", "wall": 0, "from": 0.5, "width": 1, "hinge": "start"}],
+    "windows": [{"id": "w", "wall": 3, "from": 1, "width": 2}]},
+    "objects": [{"id": "a"}], "constraints": [{"type": "wall_distance", "members": ["a"], "wall": 1}]})");
+  REQUIRE_MESSAGE(scene.ok(), scene.error().text());
+  const Space& s = scene->space;
+  CHECK(s.outline == Ring{{0, 0}, {5, 0}, {5, 4}, {0, 4}});
+  // The door ran from (0, 0.5) to (0, 1.5) with its hinge at (0, 0.5).
+  CHECK(s.doors[0].wall == 3);
+  CHECK(s.doors[0].from == 2.5);
+  CHECK(s.doors[0].hinge == Door::Hinge::end);
+  // The window ran from (4, 0) to (2, 0).
+  CHECK(s.windows[0].wall == 0);
+  CHECK(s.windows[0].from == 2);
+  CHECK(*scene->constraints.of<WallDistance>()[0].wall == 2);
+}
+
+TEST_CASE("every error says where and what") {
+  CHECK(error_of(R"("objects": [{"id": "a", "angle": 900}])") ==
+        "/objects/0/angle: 900 is outside [-360, 360] degrees");
+  CHECK(error_of(R"("objects": [{"id": "a", "positon": [0, 0, 0]}])") ==
+        "/objects/0/positon: unknown key; did you mean \"position\"?");
+  CHECK(error_of(R"("objects": [{"kind": "a"}])") == "/objects/0: \"id\" is missing");
+  CHECK(error_of(R"("objects": [{"id": ""}])") == "/objects/0/id: is empty");
+  CHECK(error_of(R"("objects": [{"id": "a", "size": [1, -1, 1]}])") ==
+        "/objects/0/size/1: -1 is outside [0.0001, 10000] m");
+  CHECK(error_of(R"("objects": [{"id": "a", "size": [1, 1]}])") == "/objects/0/size: has 2 numbers instead of 3");
+  CHECK(error_of(R"("objects": [{"id": "a", "position": [2e6, 1, 0]}])") ==
+        "/objects/0/position/0: 2e6 is outside [-1000000, 1000000] m");
+  CHECK(error_of(R"("objects": [{"id": "a"}, {"id": "a"}])") ==
+        "/objects/1/id: \"a\" is the id of something else before it");
+  CHECK(error_of(R"("objects": [{"id": "a"}], "groups": [{"id": "a", "members": ["a"]}])") ==
+        "/groups/0/id: \"a\" is the id of something else before it");
+  CHECK(error_of(R"("objects": [{"id": "a", "fixed": true}])") == "/objects/0: \"a\" is fixed but has no position");
+  CHECK(error_of(R"("objects": [{"id": "a", "on": "b"}, {"id": "b", "on": "a"}])")
+            .ends_with("stands, through others, on itself"));
+  CHECK(error_of(R"("objects": [{"id": "a", "size": [6.5, 0.1, 1]}])") ==
+        "/objects/0/size: \"a\" is larger than the room in every orientation");
+  CHECK(error_of(R"("objects": [{"id": "a", "size": [6.0, 0.1, 1]}])").empty());  // fits along the diagonal
+  CHECK(error_of(R"("objects": [{"id": "a", "mount": "flor"}])") ==
+        "/objects/0/mount: \"flor\" is none of: floor, wall, ceiling; did you mean \"floor\"?");
+  CHECK(error_of(R"("objects": {})") == "/objects: is an object where a list belongs");
+  CHECK(error_of(R"("groups": [{"id": "g", "members": ["h"]}, {"id": "h", "members": ["g"]}])")
+            .ends_with("contains itself"));
+  CHECK(error_of(
+            R"("objects": [{"id": "a"}], "groups": [{"id": "g", "members": ["a"]}, {"id": "h", "members": ["a"]}])") ==
+        "/groups/1/members/0: \"a\" is in group \"g\" already");
+  CHECK(error_of(R"("objects": [{"id": "a"}], "groups": [{"id": "g", "members": ["a"], "curve": {}}])") ==
+        "/groups/0/curve: a curve is either an arc or a segment");
+  CHECK(error_of(R"("crowd": {"populations": [{"count": -1, "area": [[0, 0], [1, 0], [0, 1]]}]})") ==
+        "/crowd/populations/0/count: -1 is outside [0, 10000000]");
+  CHECK(error_of(R"("crowd": {"sources": [{"goal": "est", "area": [[0, 0], [1, 0], [0, 1]]}],
+                              "goals": [{"id": "east", "area": [[0, 0], [1, 0], [0, 1]]}]})") ==
+        "/crowd/sources/0/goal: no goal is called \"est\"; did you mean \"east\"?");
+  CHECK(error_of(R"("seed": -1)") == "/seed: is no whole number from 0 to 18446744073709551615");
+  CHECK(error_of(R"("seed": 18446744073709551616)") == "/seed: is no whole number from 0 to 18446744073709551615");
+  CHECK(error_of(R"("version": 2)") == "/version: written by a newer inhabit; this one reads version 1");
+  CHECK(error_of(R"("format": "scene")") == "/format: is not \"inhabit-scene\"");
+  CHECK(read_scene("{}").error().text() == "\"space\" is missing");
+  CHECK(read_scene("[]").error().text() == "a scene is an object, this is a list");
+}
+
+TEST_CASE("errors of the space say where and what") {
+  CHECK(read_scene(R"({"space": {"outline": [[0, 0], [1, 1], [1, 0], [0, 1]]}})")
+            .error()
+            .text()
+            .starts_with("/space/outline: the outline touches or crosses itself near (0.5"));
+  CHECK(read_scene(R"({"space": {"outline": [[0, 0], [1, 1]]}})").error().where == "/space/outline");
+  CHECK(read_scene(R"({"space": {"outline": [[0, 0], [1, 1], [2, 2]]}})").error().where == "/space/outline");
+  CHECK(space_error(R"("holes": [{"outline": [[6, 1], [7, 1], [7, 2]]}])") ==
+        "/space/holes/0/outline: the hole lies outside the outline");
+  CHECK(space_error(R"("holes": [{"outline": [[4, 1], [7, 1], [7, 2]]}])") ==
+        "/space/holes/0/outline: the hole crosses the outline");
+  CHECK(space_error(R"("holes": [{"outline": [[0, 1], [1, 1], [1, 2], [0, 2]]}])").empty());  // a pillar at a wall
+  CHECK(space_error(R"("doors": [{"id": "d", "wall": 0, "from": 4.5, "width": 0.9}])") ==
+        "/space/doors/0: from 4.5 m, 0.9 m wide, it ends beyond wall 0, which is 5 m long");
+  CHECK(space_error(R"("doors": [{"id": "d", "wall": 4, "from": 0}])") ==
+        "/space/doors/0/wall: there is no wall 4, the outline has walls 0 to 3");
+  CHECK(space_error(R"("windows": [{"wall": 1.5, "from": 0}])") == "/space/windows/0/wall: 1.5 is no whole number");
+}
+
+TEST_CASE("errors of constraints say where and what") {
+  CHECK(constraint_error(R"({"type": "distence", "between": ["lamp", "chair"]})") ==
+        "/constraints/0/type: unknown constraint \"distence\"; did you mean \"distance\"?");
+  CHECK(constraint_error(R"({"between": ["lamp", "chair"]})") == "/constraints/0: \"type\" is missing");
+  CHECK(constraint_error(R"({"type": "distance", "between": ["lamp", "chiar"], "min": 1})") ==
+        "/constraints/0/between/1: no object, group or door is called \"chiar\"; did you mean \"chair\"?");
+  CHECK(constraint_error(R"({"type": "distance", "between": ["lamp", "lamp"], "min": 1})") ==
+        "/constraints/0/between: names the same thing twice");
+  CHECK(constraint_error(R"({"type": "distance", "between": ["lamp", "chair"]})") ==
+        "/constraints/0: needs one of: distance, min, max");
+  CHECK(constraint_error(R"({"type": "distance", "between": ["lamp", "chair"], "min": 2, "max": 1})") ==
+        "/constraints/0/min: 2 is more than max, 1");
+  CHECK(constraint_error(R"({"type": "align", "members": "lamp"})") ==
+        "/constraints/0/members: \"lamp\" is no group; a list of ids names objects");
+  CHECK(constraint_error(R"({"type": "align", "members": []})") == "/constraints/0/members: names nobody");
+  CHECK(constraint_error(R"({"type": "align", "members": "both"})").empty());
+  CHECK(constraint_error(R"({"type": "wall_distance", "members": "both", "wall": 9})") ==
+        "/constraints/0/wall: there is no wall 9, the outline has walls 0 to 3");
+  CHECK(constraint_error(R"({"type": "align", "members": "both", "stiffness": 2})") ==
+        "/constraints/0/stiffness: 2 is outside [0, 1]");
+}
+
+TEST_CASE("hostile documents are refused with a place") {
+  CHECK(read_scene("{\n  \"space\": }").error().where == "line 2, column 12");
+  CHECK(read_scene("").error().where == "line 1, column 1");
+  CHECK(read_scene(R"({"space": {"outline": [[0, 0], [1e400, 0], [0, 1]]}})").error().message.find("overflow") !=
+        std::string::npos);
+  CHECK_FALSE(read_scene(R"({"space": {"outline": [[0, 0], [NaN, 0], [0, 1]]}})").ok());
+  CHECK(read_scene(R"({"space": {}, "a/b": {"c": 1, "d": 2, "c": 3}})").error().text() ==
+        "/a~1b/c: the key \"c\" appears twice in one object");
+  CHECK(read_scene(std::string(100000, '[')).error().message == "nested deeper than 64 levels");
+  std::string deep;
+  for (int i = 0; i < 100000; ++i) deep += "{\"x-a\":";
+  CHECK(read_scene(deep).error().message == "nested deeper than 64 levels");
+  CHECK(read_scene("{\"name\": \"\xff\"}").error().message.find("UTF-8") != std::string::npos);
+  CHECK(read_scene(std::string("{}\0{}", 5)).error().text() == "line 1, column 3: a zero byte");
+  for (std::size_t size = 0; size < kFullScene.size(); size += 7)
+    CHECK_FALSE(read_scene(kFullScene.substr(0, size)).ok());
+}
+
+TEST_CASE("a hundred thousand objects are read in about a second") {
+  Scene scene;
+  scene.space.outline = {{0, 0}, {1000, 0}, {1000, 1000}, {0, 1000}};
+  for (int i = 0; i < 100000; ++i) {
+    Object o;
+    o.id = "object-" + std::to_string(i);
+    o.kind = "chair", o.size = {0.45, 0.5, 0.9};
+    o.position = Vec3{i % 1000 + 0.123456, i / 1000 + 0.654321, 0};
+    o.angle = radians(i % 360), o.clearance.front = 0.4;
+    scene.objects.push_back(std::move(o));
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const std::string text = write_scene(scene);
+  const auto written = std::chrono::steady_clock::now();
+  const auto again = read_scene(text);
+  const auto end = std::chrono::steady_clock::now();
+  REQUIRE(again.ok());
+  CHECK(*again == scene);
+  const std::chrono::duration<double> write_time = written - start, read_time = end - written;
+  MESSAGE("100,000 objects, ", text.size(), " bytes: written in ", write_time.count(), " s, read in ",
+          read_time.count(), " s");
+  CHECK(read_time.count() < 10);  // generous, since machines are shared and sanitizers slow
+}

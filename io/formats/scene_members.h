@@ -1,0 +1,234 @@
+#pragma once
+#include <tuple>
+
+#include "scene/scene.h"
+
+/// What every object of a scene document may hold, said once: reading, writing, the JSON Schema and the error messages
+/// all come from these tables. Constraints describe themselves (scene/constraint_kinds.h).
+namespace inhabit::io {
+using namespace scene;
+
+/// What a member means and which values it may have; `low` and `high` are in code units (radians for "rad").
+struct Spec {
+  std::string_view help;
+  std::string_view unit = "";
+  double low = -1e6, high = 1e6;
+  bool required = false;
+  std::string_view choices = "";
+  bool carrier = false;  ///< a Ref that must be an object, or null
+};
+
+template <class T, class M>
+struct Member {
+  std::string_view name;
+  M T::*pointer;
+  Spec spec;
+};
+// clang 14 does not deduce aggregates.
+template <class T, class M>
+Member(std::string_view, M T::*, Spec) -> Member<T, M>;
+
+template <class T>
+struct Table;
+
+template <class T>
+concept HasTable = requires {
+  Table<T>::members;
+};
+template <class T>
+concept IsConstraint = requires {
+  T::kFields;
+};
+
+/// Calls f(name, pointer to member, spec) for every member that a T may have in a document, in the order of writing.
+template <class T, class F>
+void for_each_member(F&& f) {
+  if constexpr (IsConstraint<T>) {
+    for (const auto& field : T::kFields) {
+      const Spec spec{field.help, field.unit, field.low, field.high, field.required, field.choices};
+      std::visit([&](auto pointer) { f(field.name, pointer, spec); }, field.member);
+    }
+    f("stiffness", &Strength::stiffness,
+      Spec{"how much of the error one projection removes; the kind's default when absent", "", 0, 1});
+    f("weight", &Strength::weight, Spec{"weight in the energy; the kind's default when absent", "", 0, 1e6});
+  } else {
+    std::apply([&](const auto&... member) { (f(member.name, member.pointer, member.spec), ...); }, Table<T>::members);
+  }
+}
+
+constexpr double kMetres = 1e6;     ///< nothing is farther from the origin
+constexpr double kSmallest = 1e-4;  ///< nothing is thinner
+constexpr double kTurn = 2 * kPi;
+
+template <>
+struct Table<Hole> {
+  static constexpr std::tuple members{
+      Member{"id", &Hole::id, {"name of the hole"}},
+      Member{
+          "outline", &Hole::outline, {"its corners, inside the outline of the space", "m", -kMetres, kMetres, true}}};
+};
+
+template <>
+struct Table<Door> {
+  static constexpr std::tuple members{
+      Member{"id", &Door::id, {"name of the door", "", 0, 0, true}},
+      Member{"wall", &Door::wall, {"the wall it is in: wall k joins corner k to corner k + 1", "", 0, 1e6, true}},
+      Member{"from", &Door::from, {"from the wall's first corner to the near jamb", "m", 0, kMetres, true}},
+      Member{"width", &Door::width, {"clear width", "m", 0.01, 1e4}},
+      Member{"height", &Door::height, {"clear height", "m", 0.01, 1e3}},
+      Member{"swing", &Door::swing, {"which way the leaf opens", "", 0, 0, false, "in|out|none"}},
+      Member{"hinge", &Door::hinge, {"the jamb it turns on, along the wall", "", 0, 0, false, "start|end"}}};
+};
+
+template <>
+struct Table<Window> {
+  static constexpr std::tuple members{
+      Member{"id", &Window::id, {"name of the window"}},
+      Member{"wall", &Window::wall, {"the wall it is in: wall k joins corner k to corner k + 1", "", 0, 1e6, true}},
+      Member{"from", &Window::from, {"from the wall's first corner to the near edge", "m", 0, kMetres, true}},
+      Member{"width", &Window::width, {"width", "m", 0.01, 1e4}},
+      Member{"sill", &Window::sill, {"height of its lower edge above the floor", "m", 0, 1e3}},
+      Member{"height", &Window::height, {"height of the opening itself", "m", 0.01, 1e3}}};
+};
+
+template <>
+struct Table<Space> {
+  static constexpr std::tuple members{
+      Member{"outline", &Space::outline, {"corners of the room, counter-clockwise", "m", -kMetres, kMetres, true}},
+      Member{"holes", &Space::holes, {"pillars, shafts: what is no floor"}},
+      Member{"height", &Space::height, {"from floor to ceiling", "m", 0.1, 1e3}},
+      Member{"doors", &Space::doors, {"openings that people use"}},
+      Member{"windows", &Space::windows, {"openings for light"}}};
+};
+
+template <>
+struct Table<Clearance> {
+  static constexpr std::tuple members{
+      Member{"front", &Clearance::front, {"before the front face", "m", 0, 100}},
+      Member{"back", &Clearance::back, {"behind the back face", "m", 0, 100}},
+      Member{"left", &Clearance::left, {"at the left face, seen along its heading", "m", 0, 100}},
+      Member{"right", &Clearance::right, {"at the right face", "m", 0, 100}}};
+};
+
+template <>
+struct Table<View> {
+  static constexpr std::tuple members{
+      Member{"distance", &View::distance, {"length of the cone from the front face's centre", "m", 0, 1e4, true}},
+      Member{"angle", &View::angle, {"full opening of the cone", "rad", 0, kTurn, true}}};
+};
+
+template <>
+struct Table<Object> {
+  static constexpr std::tuple members{
+      Member{"id", &Object::id, {"unique name", "", 0, 0, true}},
+      Member{"kind", &Object::kind, {"what it is: bed, chair, lamp"}},
+      Member{"name", &Object::name, {"what people call it"}},
+      Member{"size", &Object::size, {"width across the front, depth front to back, height", "m", kSmallest, 1e4}},
+      Member{"position",
+             &Object::position,
+             {"centre of the footprint and height of the base; anywhere when absent", "m", -kMetres, kMetres}},
+      Member{"angle",
+             &Object::angle,
+             {"where the front faces, counter-clockwise from +x; any when absent", "rad", -kTurn, kTurn}},
+      Member{"fixed", &Object::fixed, {"never moves, like a built-in thing"}},
+      Member{"lock", &Object::lock, {"what a user has pinned", "", 0, 0, false, "none|position|angle|both"}},
+      Member{"clearance", &Object::clearance, {"free depth wanted in front of each face"}},
+      Member{"view", &Object::view, {"a cone from the front that stays free"}},
+      Member{"mount", &Object::mount, {"what it is fastened to", "", 0, 0, false, "floor|wall|ceiling"}},
+      Member{"on", &Object::on, {"the object that carries it, or null", "", 0, 0, false, "", true}},
+      Member{"mass", &Object::mass, {"how hard it is to move; the box's volume when absent", "", 1e-9, 1e9}},
+      Member{"model", &Object::model, {"file of its three-dimensional model"}}};
+};
+
+template <>
+struct Table<Group> {
+  static constexpr std::tuple members{
+      Member{"id", &Group::id, {"unique name", "", 0, 0, true}},
+      Member{"members", &Group::members, {"objects and groups that belong together", "", 0, 0, true}},
+      Member{"rigid", &Group::rigid, {"moves as one piece"}},
+      Member{"spacing", &Group::spacing, {"equal distance between neighbours along the curve", "m", 0, 1e4}},
+      Member{"curve", &Group::curve, {"the line or arc that the members stand on"}},
+      Member{"position", &Group::position, {"where the whole stands", "m", -kMetres, kMetres}},
+      Member{"angle", &Group::angle, {"where the whole faces", "rad", -kTurn, kTurn}}};
+};
+
+template <>
+struct Table<Speed> {
+  static constexpr std::tuple members{
+      Member{"mean", &Speed::mean, {"mean desired speed", "m/s", 0, 100}},
+      Member{"deviation", &Speed::deviation, {"its standard deviation", "m/s", 0, 100}}};
+};
+
+template <>
+struct Table<Population> {
+  static constexpr std::tuple members{
+      Member{"id", &Population::id, {"unique name among populations"}},
+      Member{"count", &Population::count, {"how many people", "", 0, 1e7, true}},
+      Member{"area", &Population::area, {"where they stand at first", "m", -kMetres, kMetres, true}},
+      Member{
+          "spacing", &Population::spacing, {"side of the grid they stand on; at random when absent", "m", 0.01, 1e4}},
+      Member{"radius", &Population::radius, {"half a person's width", "m", 0.01, 10}},
+      Member{"mass", &Population::mass, {"mass of a person relative to the others", "", 1e-6, 1e6}},
+      Member{"speed", &Population::speed, {"desired speed"}},
+      Member{"goal", &Population::goal, {"id of the goal they walk to"}}};
+};
+
+template <>
+struct Table<Source> {
+  static constexpr std::tuple members{
+      Member{"id", &Source::id, {"unique name among sources"}},
+      Member{"area", &Source::area, {"where people appear", "m", -kMetres, kMetres, true}},
+      Member{"rate", &Source::rate, {"how many appear", "1/s", 0, 1e6}},
+      Member{"radius", &Source::radius, {"half a person's width", "m", 0.01, 10}},
+      Member{"mass", &Source::mass, {"mass of a person relative to the others", "", 1e-6, 1e6}},
+      Member{"speed", &Source::speed, {"desired speed"}},
+      Member{"goal", &Source::goal, {"id of the goal they walk to"}}};
+};
+
+template <>
+struct Table<Goal> {
+  static constexpr std::tuple members{
+      Member{"id", &Goal::id, {"unique name among goals", "", 0, 0, true}},
+      Member{"area", &Goal::area, {"reached on entering it", "m", -kMetres, kMetres, true}}};
+};
+
+template <>
+struct Table<Crowd> {
+  static constexpr std::tuple members{Member{"populations", &Crowd::populations, {"people who are there at first"}},
+                                      Member{"sources", &Crowd::sources, {"places where people appear"}},
+                                      Member{"goals", &Crowd::goals, {"places where people want to be"}}};
+};
+
+template <>
+struct Table<Scene> {
+  static constexpr std::tuple members{
+      Member{"name", &Scene::name, {"title of the scene"}},
+      Member{"space", &Scene::space, {"the room", "", 0, 0, true}},
+      Member{"objects", &Scene::objects, {"what stands in it"}},
+      Member{"groups", &Scene::groups, {"what belongs together"}},
+      Member{"constraints", &Scene::constraints, {"the rules of the arrangement"}},
+      Member{"crowd", &Scene::crowd, {"the people in it"}},
+      Member{"seed", &Scene::seed, {"the source of every random choice", "", 0, 1.8446744073709552e19}}};
+};
+
+constexpr std::string_view kFormatName = "inhabit-scene";
+constexpr int kFormatVersion = 1;
+
+/// Degrees as files have them: rounded to 1e-9, so that reading what was written gives the same radians.
+inline double file_degrees(double radians) { return std::round(degrees(radians) * 1e9) / 1e9; }
+/// A bound of a Spec in the units of a file.
+inline double file_bound(const Spec& spec, double bound) { return spec.unit == "rad" ? file_degrees(bound) : bound; }
+inline std::string_view file_unit(const Spec& spec) { return spec.unit == "rad" ? "degrees" : spec.unit; }
+
+/// The names in "a|b|c".
+inline std::vector<std::string_view> split_choices(std::string_view choices) {
+  std::vector<std::string_view> names;
+  for (std::size_t at = 0; at <= choices.size();) {
+    const std::size_t bar = std::min(choices.find('|', at), choices.size());
+    names.push_back(choices.substr(at, bar - at));
+    at = bar + 1;
+  }
+  return names;
+}
+
+}  // namespace inhabit::io
