@@ -1,0 +1,113 @@
+#include <CLI/CLI.hpp>
+#include <array>
+#include <exception>
+#include <string>
+
+#include "app/terminal.h"
+#include "app/verbs.h"
+#include "core/text.h"
+
+namespace inhabit::app {
+namespace {
+
+struct Verb {
+  std::string_view name, sentence;
+  SetUp set_up;
+};
+
+constexpr std::array kVerbs = {
+    Verb{"furnish", "Arrange the objects of a scene or of a home's rooms", set_up_furnish},
+    Verb{"check", "Say what is wrong with a layout", set_up_check},
+    Verb{"scenes", "List the built-in scenes, or print one", set_up_scenes},
+    Verb{"render", "Draw a plan", set_up_render},
+    Verb{"convert", "Read one format and write another, by extension", set_up_convert},
+    Verb{"bench", "Measure what the papers published, here", set_up_bench},
+};
+
+constexpr const char* kFooter =
+    "Lengths are metres, angles degrees counter-clockwise, times seconds unless a unit is given.\n"
+    "SCENE is a file of any format that inhabit reads, or the name of a built-in scene (inhabit scenes).\n"
+    "Exit codes: 0 done, 1 the layout overlaps or leaves the room, 2 an error (one line on standard error).\n"
+    "Example: inhabit furnish living-room -o room.json --svg room.svg\n"
+    "inhabit VERB --help says more.";
+
+int usage(const std::string& message, const CLI::App& about) {
+  std::string line = message;
+  for (char& c : line)
+    if (c == '\n') c = ' ';
+  const std::string name = about.get_name() == "inhabit" ? "inhabit" : "inhabit " + about.get_name();
+  complain(line + " (" + name + " --help says more)");
+  return kError;
+}
+
+/// The first argument that nothing expects, with the nearest option when it looks like one.
+int unexpected(const std::string& argument, const CLI::App& verb) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : verb.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  const std::string option = argument.substr(0, argument.find('='));
+  if (argument.starts_with("-"))
+    return usage("unknown option " + option + core::did_you_mean(option, views), verb);
+  return usage("unexpected argument " + argument, verb);
+}
+
+int unknown_verb(const std::string& name, const CLI::App& app) {
+  std::vector<std::string_view> names;
+  for (const Verb& verb : kVerbs) names.push_back(verb.name);
+  return usage("unknown verb " + name + core::did_you_mean(name, names), app);
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("inhabit furnishes a space, fills it with people, and tells whether it works.", "inhabit");
+  app.footer(kFooter);
+  app.set_version_flag("--version", "inhabit 0.1.0");
+  app.set_help_flag("-h,--help", "Print this");
+  std::vector<std::pair<CLI::App*, std::function<int()>>> verbs;
+  bool known = argc < 2 || argv[1][0] == '-';
+  for (const Verb& verb : kVerbs) {
+    CLI::App* sub = app.add_subcommand(std::string(verb.name), std::string(verb.sentence));
+    sub->allow_extras();
+    sub->set_help_flag("-h,--help", "Print this");
+    verbs.emplace_back(sub, verb.set_up(*sub));
+    known = known || verb.name == argv[1];
+  }
+  if (!known) return unknown_verb(argv[1], app);
+  if (argc < 2) {
+    print(app.help());
+    return kError;
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {  // help and version
+    return app.exit(asked);
+  } catch (const CLI::ParseError& error) {
+    for (const auto& [sub, action] : verbs)
+      if (sub->parsed()) {
+        for (const std::string& extra : sub->remaining())
+          if (extra.starts_with("-")) return unexpected(extra, *sub);
+        return usage(error.what(), *sub);
+      }
+    return usage(error.what(), app);
+  }
+  for (const auto& [sub, action] : verbs) {
+    if (!sub->parsed()) continue;
+    if (!sub->remaining().empty()) return unexpected(sub->remaining().front(), *sub);
+    return action();
+  }
+  return unknown_verb(argv[1], app);
+}
+
+}  // namespace
+}  // namespace inhabit::app
+
+int main(int argc, char** argv) {
+  try {
+    return inhabit::app::run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    inhabit::app::complain("not enough memory");
+  } catch (const std::exception& error) {
+    inhabit::app::complain(error.what());
+  }
+  return inhabit::app::kError;
+}

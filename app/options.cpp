@@ -1,0 +1,42 @@
+#include "app/options.h"
+
+#include "app/terminal.h"
+
+namespace inhabit::app {
+
+void add_scene(CLI::App& verb, SceneArgument& scene) {
+  verb.add_option("SCENE", scene.name, "A file (.json, .sh3d, Home.xml, …) or the name of a built-in scene")->required();
+  verb.add_option("--room", scene.rooms, "Only the room of this name, when SCENE has several; may be repeated")
+      ->type_name("NAME")
+      ->expected(1)
+      ->take_all();
+}
+
+std::optional<session::Document> open(const SceneArgument& scene, bool quiet) {
+  core::Result<session::Document> document = session::open_document(scene.name);
+  if (document && !quiet)
+    for (const std::string& warning : document->warnings) complain(scene.name + ": warning: " + warning);
+  if (document) document = session::only_rooms(std::move(*document), scene.rooms);
+  if (document) return std::move(*document);
+  fail(scene.name, document.error());
+  return std::nullopt;
+}
+
+bool save(const std::string& path, const core::Result<std::string>& bytes) {
+  if (!bytes) return fail(path, bytes.error()), false;
+  const core::Status saved = session::save_file(path, *bytes);
+  if (!saved) return fail(path, saved.error()), false;
+  return true;
+}
+
+std::string numbered_path(const std::string& path, std::size_t number) {
+  const std::size_t slash = path.find_last_of('/'), dot = path.find_last_of('.');
+  const bool has_extension = dot != std::string::npos && (slash == std::string::npos || dot > slash + 1) && dot > 0;
+  std::string result = has_extension ? path.substr(0, dot) : path;
+  result += '-';
+  result += std::to_string(number);
+  if (has_extension) result += path.substr(dot);
+  return result;
+}
+
+}  // namespace inhabit::app

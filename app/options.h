@@ -1,0 +1,28 @@
+#pragma once
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "session/document.h"
+
+/// Options that several verbs share, so that they are called and explained alike.
+namespace inhabit::app {
+
+struct SceneArgument {
+  std::string name;
+  std::vector<std::string> rooms;
+};
+
+/// SCENE and --room.
+void add_scene(CLI::App& verb, SceneArgument& scene);
+/// Opens the scene and keeps the rooms asked for. Complains and returns nothing when that fails; warnings go to standard
+/// error unless `quiet`.
+std::optional<session::Document> open(const SceneArgument& scene, bool quiet);
+
+/// Writes bytes to `path`; false after a complaint.
+bool save(const std::string& path, const core::Result<std::string>& bytes);
+
+/// "plan.svg" and 2 give "plan-2.svg".
+std::string numbered_path(const std::string& path, std::size_t number);
+
+}  // namespace inhabit::app

@@ -1,0 +1,76 @@
+#include "session/bench.h"
+
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "core/text.h"
+
+namespace inhabit::session {
+
+std::vector<BenchGroupRow> bench_groups() {
+  return {
+      {"table1", "times and feasible shares of the papers' scenes beside TVCG table 1", bench_table1},
+      {"growth", "theatre seats against time, TVCG fig. 13", bench_growth},
+      {"tight", "the tight bedroom with ever less floor", bench_tight},
+      {"interactive", "solved again after one object is dragged", bench_interactive},
+      {"residuals", "what every kind of constraint misses by", bench_residuals},
+      {"rooms", "real homes, stripped and furnished again (needs the data folder)", bench_rooms},
+  };
+}
+
+Table machine_table() {
+  std::string model = "unknown processor", line;
+  std::ifstream cpuinfo("/proc/cpuinfo");
+  while (std::getline(cpuinfo, line))
+    if (line.starts_with("model name")) {
+      model = line.substr(line.find(':') + 2);
+      break;
+    }
+  Table table{"machine", "Machine", {{"what"}, {"value"}}, {}, {}};
+  table.rows.push_back({"processor", model});
+  table.rows.push_back({"threads", std::to_string(std::thread::hardware_concurrency())});
+#ifdef __clang__
+  table.rows.push_back({"compiler", "clang " __clang_version__});
+#else
+  table.rows.push_back({"compiler", "gcc " __VERSION__});
+#endif
+#ifdef NDEBUG
+  table.rows.push_back({"assertions", "off"});
+#else
+  table.rows.push_back({"assertions", "on"});
+#endif
+#ifdef __OPTIMIZE__
+  table.rows.push_back({"optimised", "yes"});
+#else
+  table.rows.push_back({"optimised", "no"});
+#endif
+  return table;
+}
+
+Result<BenchRuns> bench_runs(const layout::Scene& scene, const BenchOptions& options, const BenchRun& run) {
+  BenchRuns runs;
+  for (int seed = 1; seed <= run.seeds; ++seed) {
+    if (options.cancel && options.cancel->requested()) break;
+    layout::Options layout = options.layout;
+    layout.seed = static_cast<std::uint64_t>(seed);
+    layout.starts = run.starts;
+    layout.threads = run.threads;
+    layout.cancel = options.cancel;
+    const auto begin = std::chrono::steady_clock::now();
+    const Result<layout::Outcome> outcome = layout::furnish(scene, layout);
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+    if (!outcome) return outcome.error();
+    if (outcome->cancelled) break;
+    runs.milliseconds.push_back(took.count());
+    runs.energies.push_back(outcome->best.energy);
+    runs.iterations.push_back(outcome->best.iterations);
+    ++runs.runs;
+    runs.feasible += outcome->best.feasible;
+    if (run.each) run.each(*outcome);
+    if (options.progress) options.progress(static_cast<double>(seed) / run.seeds, scene.name);
+  }
+  return runs;
+}
+
+}  // namespace inhabit::session

@@ -1,0 +1,71 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/progress.h"
+#include "layout/furnish.h"
+#include "session/table.h"
+
+/// The published tables of layout synthesis, measured here, beside the published figures.
+namespace inhabit::session {
+using namespace core;
+
+struct BenchOptions {
+  int seeds = 100;
+  int max_seats = 3200;      ///< growth: the largest theatre
+  std::string data;          ///< rooms: the folder that holds `rooms/`
+  layout::Options layout;    ///< method, scheme, start; seed, starts and threads are the bench's own
+  Progress progress;
+  const Cancel* cancel = nullptr;
+};
+
+/// A curve that belongs to a group.
+struct BenchCurve {
+  std::string id, title, x_label, y_label;
+  bool log_x = false, log_y = false;
+  struct Line {
+    std::string name;
+    std::vector<double> x, y;
+  };
+  std::vector<Line> lines;
+};
+
+struct BenchGroup {
+  std::vector<Table> tables;
+  std::vector<BenchCurve> curves;
+};
+
+struct BenchGroupRow {
+  std::string_view name, sentence;
+  Result<BenchGroup> (*run)(const BenchOptions&);
+};
+/// Every group there is: table1, growth, tight, interactive, residuals, rooms.
+std::vector<BenchGroupRow> bench_groups();
+
+/// CPU model, cores, compiler, build: what a time means something on.
+Table machine_table();
+
+Result<BenchGroup> bench_table1(const BenchOptions& options);
+Result<BenchGroup> bench_growth(const BenchOptions& options);
+Result<BenchGroup> bench_tight(const BenchOptions& options);
+Result<BenchGroup> bench_interactive(const BenchOptions& options);
+Result<BenchGroup> bench_residuals(const BenchOptions& options);
+Result<BenchGroup> bench_rooms(const BenchOptions& options);
+
+/// One scene furnished from seeds 1 … `seeds`.
+struct BenchRuns {
+  std::vector<double> milliseconds, energies, iterations;  ///< whole calls of furnish, one per seed
+  int runs = 0, feasible = 0;
+  double feasible_share() const { return runs ? static_cast<double>(feasible) / runs : 0; }
+};
+struct BenchRun {
+  int seeds = 100, starts = 1, threads = 1;
+  std::function<void(const layout::Outcome&)> each;  ///< what else to look at
+};
+/// Stops early when cancelled; the error is furnish's.
+Result<BenchRuns> bench_runs(const layout::Scene& scene, const BenchOptions& options, const BenchRun& run);
+
+}  // namespace inhabit::session

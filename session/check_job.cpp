@@ -1,0 +1,42 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "io/check_json.h"
+#include "session/jobs.h"
+
+namespace inhabit::session {
+
+bool Checked::feasible() const {
+  return std::all_of(rooms.begin(), rooms.end(), [](const auto& room) { return room.second.feasible; });
+}
+
+Checked check_job(const Document& document, const layout::CheckOptions& options) {
+  Checked checked;
+  for (const Scene& scene : document.scenes) checked.rooms.emplace_back(scene.name, layout::check(scene, options));
+  return checked;
+}
+
+std::string check_text(const Checked& checked) {
+  std::string text;
+  for (const auto& [name, report] : checked.rooms) {
+    if (checked.rooms.size() > 1) text += name + "\n";
+    text += io::check_table(report);
+  }
+  return text;
+}
+
+std::string check_json(const Checked& checked) {
+  if (checked.rooms.size() == 1) return io::check_json(checked.rooms.front().second) + "\n";
+  nlohmann::ordered_json json;
+  json["feasible"] = checked.feasible();
+  json["rooms"] = nlohmann::ordered_json::array();
+  for (const auto& [name, report] : checked.rooms) {
+    nlohmann::ordered_json item;
+    item["name"] = name;
+    item.update(nlohmann::ordered_json::parse(io::check_json(report)));
+    json["rooms"].push_back(std::move(item));
+  }
+  return json.dump() + "\n";
+}
+
+}  // namespace inhabit::session

@@ -1,0 +1,43 @@
+#pragma once
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/formats/sweethome3d.h"
+#include "scene/scene.h"
+
+/// What a job works on: a scene from a file or built in, or the rooms of a home.
+namespace inhabit::session {
+using namespace scene;
+
+struct Document {
+  std::string name;                   ///< as it was asked for
+  std::vector<Scene> scenes;          ///< one, or one per room
+  std::optional<io::Sh3dHome> home;   ///< where the rooms came from, to be written back into it
+  std::vector<std::string> warnings;  ///< what reading left out or changed, for people
+};
+
+/// A scene that the program carries: scenes/<name>.json.
+struct BuiltinScene {
+  std::string_view name, json;
+};
+/// In order of name; cmake/embed_scenes.cmake writes them.
+std::span<const BuiltinScene> builtin_scenes();
+
+/// A built-in scene by name, unless a file of that name exists; else the file, by extension. Errors say which names there are.
+Result<Document> open_document(const std::string& name);
+/// Bytes in the format that the file name's extension says.
+Result<Document> read_document(std::string_view file_name, std::string bytes);
+/// The document in the format that the file name's extension says. Errors: a format that is not written, several rooms for
+/// a format that holds one scene.
+Result<std::string> write_document(const Document& document, std::string_view file_name);
+
+/// The rooms called `names` alone, in document order; all of them when `names` is empty. Errors name the rooms there are.
+Result<Document> only_rooms(Document document, std::span<const std::string> names);
+
+/// Writes the bytes beside the file and renames, so that an existing file stays whole whatever happens.
+Status save_file(const std::string& path, std::string_view bytes);
+
+}  // namespace inhabit::session

@@ -1,0 +1,46 @@
+#include "session/scenes_job.h"
+
+#include "core/text.h"
+#include "io/formats/scene_json.h"
+#include "session/paper_scenes.h"
+#include "session/scene_builder.h"
+#include "session/table.h"
+
+namespace inhabit::session {
+namespace {
+
+Table scenes_table() {
+  Table table{"scenes", "", {}, {}, {}};
+  table.columns = {{"name"}, {"objects", 0}, {"constraints", 0}, {"width m", 2}, {"depth m", 2}, {"coverage %", 0}, {"paper s", 2}, {"what"}};
+  for (const PaperScene& paper : paper_scenes()) {
+    const Scene scene = paper.build();
+    const Vec2 size = bounds(scene.space.outline).size();
+    table.rows.push_back({std::string(paper.name), static_cast<double>(scene.objects.size()),
+                          static_cast<double>(scene.constraints.size()), size.x, size.y, 100 * floor_coverage(scene),
+                          paper.published_seconds, std::string(paper.sentence)});
+  }
+  return table;
+}
+
+}  // namespace
+
+Result<std::string> scenes_job(const ScenesJob& job) {
+  const PaperScene* paper = find_paper_scene(job.name);
+  if (!paper) {
+    std::vector<std::string_view> names;
+    for (const PaperScene& scene : paper_scenes()) names.push_back(scene.name);
+    return Error{ErrorCode::not_found, "no built-in scene of this name" + did_you_mean(job.name, names), ""};
+  }
+  if (job.seats && paper->name != "theater-1") return invalid("", "only theater-1 has a number of seats");
+  if (job.coverage && paper->name != "tight-bedroom") return invalid("", "only tight-bedroom has a coverage");
+  if (job.seed && paper->name != "tight-picnic") return invalid("", "only tight-picnic is drawn from a seed");
+  if (job.seats) return io::write_scene(theater_1(*job.seats));
+  if (job.coverage) return io::write_scene(tight_bedroom(*job.coverage));
+  if (job.seed) return io::write_scene(tight_picnic(*job.seed));
+  return io::write_scene(paper->build());
+}
+
+std::string scenes_text() { return table_text(scenes_table()); }
+std::string scenes_json() { return table_json(scenes_table()) + "\n"; }
+
+}  // namespace inhabit::session

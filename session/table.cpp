@@ -1,0 +1,90 @@
+#include "session/table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/text.h"
+
+namespace inhabit::session {
+namespace {
+
+std::string cell_text(const Cell& cell, int digits) {
+  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  if (const auto* number = std::get_if<double>(&cell)) return std::isfinite(*number) ? core::fixed(*number, digits) : "inf";
+  if (const auto* truth = std::get_if<bool>(&cell)) return *truth ? "yes" : "no";
+  return "-";
+}
+
+/// Characters, not bytes, of well-formed UTF-8.
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+void pad(std::string& line, const std::string& text, std::size_t width, bool right) {
+  const std::string space(width - std::min(width, width_of(text)), ' ');
+  line += right ? space + text : text + space;
+}
+
+}  // namespace
+
+std::string table_text(const Table& table) {
+  std::vector<std::size_t> widths;
+  std::vector<bool> right;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    std::size_t width = width_of(table.columns[c].name);
+    bool numbers = true;
+    for (const auto& row : table.rows) {
+      width = std::max(width, width_of(cell_text(row[c], table.columns[c].digits)));
+      numbers = numbers && !std::holds_alternative<std::string>(row[c]);
+    }
+    widths.push_back(width);
+    right.push_back(numbers);
+  }
+  const auto add_line = [&](std::string& out, auto&& text_of) {
+    std::string line;
+    for (std::size_t c = 0; c < widths.size(); ++c) {
+      if (c > 0) line += "  ";
+      pad(line, text_of(c), widths[c], right[c]);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    out += line + '\n';
+  };
+  std::string out;
+  if (!table.title.empty()) out += table.title + '\n';
+  if (!table.rows.empty()) add_line(out, [&](std::size_t c) { return table.columns[c].name; });
+  for (const auto& row : table.rows)
+    add_line(out, [&](std::size_t c) { return cell_text(row[c], table.columns[c].digits); });
+  for (const std::string& note : table.notes) out += note + '\n';
+  return out;
+}
+
+std::string table_json(const Table& table) {
+  nlohmann::ordered_json json;
+  json["id"] = table.id;
+  json["title"] = table.title;
+  json["rows"] = nlohmann::ordered_json::array();
+  for (const auto& row : table.rows) {
+    nlohmann::ordered_json object = nlohmann::ordered_json::object();
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      auto& value = object[table.columns[c].name];
+      if (const auto* text = std::get_if<std::string>(&row[c])) value = *text;
+      if (const auto* number = std::get_if<double>(&row[c])) value = *number;
+      if (const auto* truth = std::get_if<bool>(&row[c])) value = *truth;
+    }
+    json["rows"].push_back(std::move(object));
+  }
+  json["notes"] = table.notes;
+  return json.dump();
+}
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  if (share == 0.5) return n % 2 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
+  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(n)));
+  return values[std::clamp<std::size_t>(rank, 1, n) - 1];
+}
+
+}  // namespace inhabit::session

@@ -1,0 +1,35 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace inhabit::session {
+
+/// One value of a table: nothing (printed as "-", null in JSON), text, a number, a truth.
+using Cell = std::variant<std::monostate, std::string, double, bool>;
+
+struct Column {
+  std::string name;  ///< unit included, as people read it: "median ms"
+  int digits = 2;    ///< behind the point
+};
+
+/// Measured figures: printed for people and written as JSON from the same cells.
+struct Table {
+  std::string id, title;
+  std::vector<Column> columns;
+  std::vector<std::vector<Cell>> rows;
+  std::vector<std::string> notes;
+};
+
+/// Aligned columns under a title, numbers to the right; ends with a newline.
+std::string table_text(const Table& table);
+/// `{"id": …, "title": …, "rows": [{"column": value, …}], "notes": […]}`, numbers in full.
+std::string table_json(const Table& table);
+
+/// Value below which `share` of the values lie (the smallest one that so many do not exceed); the mean of the two middle
+/// ones for the median of an even count; 0 for no values.
+double quantile(std::vector<double> values, double share);
+inline double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
+
+}  // namespace inhabit::session
