@@ -46,9 +46,15 @@ std::function<int()> set_up_bench(CLI::App& verb) {
   const auto b = std::make_shared<Bench>();
   verb.add_option("GROUP", b->groups, "What to measure; all of layout when absent")->expected(0, -1);
   verb.add_option("--seeds", b->options.seeds, "Seeds per scene")->check(CLI::Range(1, 100000))->capture_default_str();
-  verb.add_option("--max-seats", b->options.max_seats, "growth: the largest theatre, up to 100000")->check(CLI::Range(25, 100000))->capture_default_str();
-  verb.add_option("--data", b->options.data, "rooms: folder that holds rooms/ (or the environment variable INHABIT_DATA)")->type_name("DIR");
-  verb.add_option("--scheme", b->scheme, "gauss-seidel or averaged")->check(CLI::IsMember({"gauss-seidel", "averaged"}))->capture_default_str();
+  verb.add_option("--max-seats", b->options.max_seats, "growth: the largest theatre, up to 100000")
+      ->check(CLI::Range(25, 100000))
+      ->capture_default_str();
+  verb.add_option("--data", b->options.data,
+                  "rooms: folder that holds rooms/ (or the environment variable INHABIT_DATA)")
+      ->type_name("DIR");
+  verb.add_option("--scheme", b->scheme, "gauss-seidel or averaged")
+      ->check(CLI::IsMember({"gauss-seidel", "averaged"}))
+      ->capture_default_str();
   verb.add_flag("--no-relocation", b->no_relocation, "Projection alone");
   verb.add_flag("--paper", b->options.layout.paper, "The papers' method to the letter");
   verb.add_option("--plots", b->plots, "Write the curves into this folder as SVG")->type_name("DIR");
@@ -56,7 +62,8 @@ std::function<int()> set_up_bench(CLI::App& verb) {
   verb.add_flag("-q,--quiet", b->quiet, "No progress");
   verb.footer("Groups:\n  layout      all of these\n" + session::bench_group_lines() +
               "Times are of one start on one thread unless a column says otherwise.\n"
-              "Examples:\n  inhabit bench layout\n  inhabit bench table1 --seeds 20 --json\n  inhabit bench growth --max-seats 100000 --plots plots");
+              "Examples:\n  inhabit bench layout\n  inhabit bench table1 --seeds 20 --json\n  inhabit bench growth "
+              "--max-seats 100000 --plots plots");
   return [b] { return run(*b); };
 }
 

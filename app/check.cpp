@@ -16,7 +16,8 @@ struct Check {
 };
 
 constexpr const char* kFooter =
-    "Depths are metres, shares 0 to 1, residuals metres or degrees. Exit code 1: something overlaps or stands outside.\n"
+    "Depths are metres, shares 0 to 1, residuals metres or degrees. Exit code 1: something overlaps or stands "
+    "outside.\n"
     "Examples:\n"
     "  inhabit check room.json\n"
     "  inhabit check home.sh3d --json --metrics published";
@@ -26,8 +27,10 @@ int run(Check& c) {
   const std::optional<session::Document> document = open(c.scene, c.quiet || c.json);
   if (!document) return kError;
   const session::Checked checked = session::check_job(*document, c.options);
-  if (c.json) print(session::check_json(checked));
-  else if (!c.quiet) print(session::check_text(checked));
+  if (c.json)
+    print(session::check_json(checked));
+  else if (!c.quiet)
+    print(session::check_text(checked));
   return checked.feasible() ? kDone : kInfeasible;
 }
 
@@ -39,7 +42,9 @@ std::function<int()> set_up_check(CLI::App& verb) {
   verb.add_option("--metrics", c->metrics, "published: add the measures of the literature, computed as it does")
       ->check(CLI::IsMember({"published"}));
   verb.add_flag("--all-collisions", c->options.all_collisions, "Also count overlaps that the scene switches off");
-  verb.add_option("--threads", c->options.threads, "Threads, 0 = all there are")->check(CLI::Range(0, 4096))->capture_default_str();
+  verb.add_option("--threads", c->options.threads, "Threads, 0 = all there are")
+      ->check(CLI::Range(0, 4096))
+      ->capture_default_str();
   verb.add_flag("--json", c->json, "One JSON object on standard output and nothing else there");
   verb.add_flag("-q,--quiet", c->quiet, "The exit code alone");
   verb.footer(kFooter);

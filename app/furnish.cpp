@@ -30,22 +30,32 @@ void add_method(CLI::App& verb, Furnish& f) {
   verb.add_option("--method", f.method, "How: pbd = position-based projection")
       ->check(CLI::IsMember({"pbd"}))
       ->capture_default_str();
-  verb.add_option("--seed", layout.seed, "Seed of every random choice; the same seed gives the same bytes")->capture_default_str();
-  verb.add_option("--starts", layout.starts, "Random starts; the best one is kept")->check(CLI::Range(1, 100000))->capture_default_str();
-  verb.add_option("--variants", f.job.variants, "Distinct suggestions, best first")->check(CLI::Range(1, 1000))->capture_default_str();
+  verb.add_option("--seed", layout.seed, "Seed of every random choice; the same seed gives the same bytes")
+      ->capture_default_str();
+  verb.add_option("--starts", layout.starts, "Random starts; the best one is kept")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  verb.add_option("--variants", f.job.variants, "Distinct suggestions, best first")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
   verb.add_option("--threads", layout.threads, "Threads, 0 = all there are; never changes the result")
       ->check(CLI::Range(0, 4096))
       ->capture_default_str();
   verb.add_option("--scheme", f.scheme, "How corrections add up: gauss-seidel or averaged")
       ->check(CLI::IsMember({"gauss-seidel", "averaged"}))
       ->capture_default_str();
-  verb.add_option("--start", f.start, "Where free objects start: given (where SCENE has them), random, placed (afresh, one by one)")
+  verb.add_option("--start", f.start,
+                  "Where free objects start: given (where SCENE has them), random, placed (afresh, one by one)")
       ->check(CLI::IsMember({"given", "random", "placed"}))
       ->capture_default_str();
-  verb.add_option("--iterations", layout.max_iterations, "At most so many per start")->check(CLI::Range(1, 10000000))->capture_default_str();
+  verb.add_option("--iterations", layout.max_iterations, "At most so many per start")
+      ->check(CLI::Range(1, 10000000))
+      ->capture_default_str();
   verb.add_flag("--no-relocation", f.no_relocation, "Projection alone, without moves between");
-  verb.add_flag("--paper", layout.paper, "The papers' method to the letter: random starts, no relocation, no polishing");
-  verb.add_flag("--house-rules", f.job.house_rules, "Rooms without constraints get the usual ones by kind (beds at walls, seats at tables)");
+  verb.add_flag("--paper", layout.paper,
+                "The papers' method to the letter: random starts, no relocation, no polishing");
+  verb.add_flag("--house-rules", f.job.house_rules,
+                "Rooms without constraints get the usual ones by kind (beds at walls, seats at tables)");
 }
 
 void add_output(CLI::App& verb, Furnish& f) {
@@ -53,8 +63,10 @@ void add_output(CLI::App& verb, Furnish& f) {
   verb.add_option("--svg", f.svg, "Plan as SVG")->type_name("FILE");
   verb.add_option("--png", f.png, "Plan as PNG")->type_name("FILE");
   verb.add_option("--pdf", f.pdf, "Plan as PDF")->type_name("FILE");
-  verb.add_option("--trace", f.trace, "Energy per iteration as CSV, and its plot beside it (FILE.svg and FILE.png)")->type_name("FILE");
-  verb.add_flag("--json", f.json, "One JSON object on standard output and nothing else there; with the scenes unless -o is given");
+  verb.add_option("--trace", f.trace, "Energy per iteration as CSV, and its plot beside it (FILE.svg and FILE.png)")
+      ->type_name("FILE");
+  verb.add_flag("--json", f.json,
+                "One JSON object on standard output and nothing else there; with the scenes unless -o is given");
   verb.add_flag("-q,--quiet", f.quiet, "No progress, no table");
 }
 
@@ -64,7 +76,8 @@ bool write_scenes(const Furnish& f, const session::Document& document, const ses
   std::size_t count = 0;
   for (const session::FurnishedRoom& room : furnished.rooms) count = std::max(count, room.suggestions.size());
   for (std::size_t k = 0; k < count; ++k)
-    if (!save(numbered_path(f.out, k + 1), session::write_document(furnished.document(document, k), f.out))) return false;
+    if (!save(numbered_path(f.out, k + 1), session::write_document(furnished.document(document, k), f.out)))
+      return false;
   return true;
 }
 
@@ -72,7 +85,8 @@ bool write_pictures(const Furnish& f, const session::Document& document, const s
   for (const std::string& path : {f.svg, f.png, f.pdf}) {
     if (path.empty()) continue;
     const bool sheet = f.job.variants > 1;
-    if (!save(path, sheet ? session::sheet_picture(furnished, path) : session::plan_picture(furnished.document(document), path)))
+    if (!save(path, sheet ? session::sheet_picture(furnished, path)
+                          : session::plan_picture(furnished.document(document), path)))
       return false;
   }
   return true;
@@ -106,7 +120,9 @@ int run(Furnish& f) {
   if (!names_are_good(f)) return kError;
   layout::Options& layout = f.job.layout;
   layout.scheme = f.scheme == "averaged" ? layout::Scheme::averaged : layout::Scheme::gauss_seidel;
-  layout.start = f.start == "random" ? layout::Start::random : f.start == "placed" ? layout::Start::placed : layout::Start::given;
+  layout.start = f.start == "random"   ? layout::Start::random
+                 : f.start == "placed" ? layout::Start::placed
+                                       : layout::Start::given;
   layout.relocation = !f.no_relocation;
   layout.trace = !f.trace.empty();
   const std::optional<session::Document> document = open(f.scene, f.quiet);
@@ -124,10 +140,13 @@ int run(Furnish& f) {
   }();
   layout.progress = nullptr;
   if (!furnished) return fail(f.scene.name, furnished.error());
-  if (!write_scenes(f, *document, *furnished) || !write_pictures(f, *document, *furnished) || !write_trace(f, *furnished))
+  if (!write_scenes(f, *document, *furnished) || !write_pictures(f, *document, *furnished) ||
+      !write_trace(f, *furnished))
     return kError;
-  if (f.json) print(session::furnish_json(*furnished, f.out.empty()));
-  else if (!f.quiet) print(session::furnish_text(*furnished));
+  if (f.json)
+    print(session::furnish_json(*furnished, f.out.empty()));
+  else if (!f.quiet)
+    print(session::furnish_text(*furnished));
   return furnished->feasible() ? kDone : kInfeasible;
 }
 

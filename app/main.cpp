@@ -47,8 +47,7 @@ int unexpected(const std::string& argument, const CLI::App& verb) {
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   const std::vector<std::string_view> views(names.begin(), names.end());
   const std::string option = argument.substr(0, argument.find('='));
-  if (argument.starts_with("-"))
-    return usage("unknown option " + option + core::did_you_mean(option, views), verb);
+  if (argument.starts_with("-")) return usage("unknown option " + option + core::did_you_mean(option, views), verb);
   return usage("unexpected argument " + argument, verb);
 }
 

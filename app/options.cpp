@@ -5,15 +5,21 @@
 namespace inhabit::app {
 
 void add_scene(CLI::App& verb, SceneArgument& scene) {
-  verb.add_option("SCENE", scene.name, "A file (.json, .sh3d, Home.xml, …) or the name of a built-in scene")->required();
+  verb.add_option("SCENE", scene.name, "A file (.json, .sh3d, Home.xml, …) or the name of a built-in scene")
+      ->required();
   verb.add_option("--room", scene.rooms, "Only the room of this name, when SCENE has several; may be repeated")
       ->type_name("NAME")
       ->expected(1)
       ->take_all();
+  verb.add_option("--assets", scene.options.asset_database,
+                  "ProcTHOR houses: their asset-database.json, which has the sizes")
+      ->type_name("FILE");
+  verb.add_option("--line", scene.options.line, "Only this house of a file with one per line, from 1; 0 = all")
+      ->capture_default_str();
 }
 
 std::optional<session::Document> open(const SceneArgument& scene, bool quiet) {
-  core::Result<session::Document> document = session::open_document(scene.name);
+  core::Result<session::Document> document = session::open_document(scene.name, scene.options);
   if (document && !quiet)
     for (const std::string& warning : document->warnings) complain(scene.name + ": warning: " + warning);
   if (document) document = session::only_rooms(std::move(*document), scene.rooms);

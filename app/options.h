@@ -11,12 +11,13 @@ namespace inhabit::app {
 struct SceneArgument {
   std::string name;
   std::vector<std::string> rooms;
+  session::OpenOptions options;
 };
 
 /// SCENE and --room.
 void add_scene(CLI::App& verb, SceneArgument& scene);
-/// Opens the scene and keeps the rooms asked for. Complains and returns nothing when that fails; warnings go to standard
-/// error unless `quiet`.
+/// Opens the scene and keeps the rooms asked for. Complains and returns nothing when that fails; warnings go to
+/// standard error unless `quiet`.
 std::optional<session::Document> open(const SceneArgument& scene, bool quiet);
 
 /// Writes bytes to `path`; false after a complaint.

@@ -1,9 +1,10 @@
+#include "session/pictures.h"
+
 #include <memory>
 
 #include "app/options.h"
 #include "app/terminal.h"
 #include "app/verbs.h"
-#include "session/pictures.h"
 
 namespace inhabit::app {
 namespace {
@@ -41,14 +42,18 @@ std::function<int()> set_up_render(CLI::App& verb) {
   const auto r = std::make_shared<Render>();
   add_scene(verb, r->scene);
   verb.add_option("-o,--output", r->out, "Picture: .svg, .png or .pdf")->type_name("FILE")->required();
-  verb.add_option("--pixels", r->options.pixels, "Long side of a PNG, pixels")->check(CLI::Range(16, 16384))->capture_default_str();
+  verb.add_option("--pixels", r->options.pixels, "Long side of a PNG, pixels")
+      ->check(CLI::Range(16, 16384))
+      ->capture_default_str();
   verb.add_flag("--no-labels", r->no_labels, "No names");
   verb.add_flag("--clearances", r->options.clearances, "Draw the free depth wanted before faces");
   verb.add_flag("--views", r->options.views, "Draw view cones");
   verb.add_flag("--door-zones", r->options.door_zones, "Draw what the doors sweep");
   verb.add_flag("--problems", r->options.problems, "Mark overlaps, what stands outside, blocked doors and clearances");
   verb.add_flag("-q,--quiet", r->quiet, "No warnings");
-  verb.footer("Examples:\n  inhabit render living-room -o room.svg\n  inhabit render room.json -o room.png --pixels 3000 --problems");
+  verb.footer(
+      "Examples:\n  inhabit render living-room -o room.svg\n  inhabit render room.json -o room.png --pixels 3000 "
+      "--problems");
   return [r] { return run(*r); };
 }
 

@@ -33,8 +33,10 @@ void complain(std::string_view message) {
 int fail(std::string_view file, const core::Error& error) {
   const std::string text = error.text();
   // An error that names its file already, as those of writing do, is not given a second one.
-  if (file.empty() || text.starts_with(file)) complain(text);
-  else complain(std::string(file) + ": " + text);
+  if (file.empty() || text.starts_with(file))
+    complain(text);
+  else
+    complain(std::string(file) + ": " + text);
   return kError;
 }
 

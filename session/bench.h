@@ -15,9 +15,9 @@ using namespace core;
 
 struct BenchOptions {
   int seeds = 100;
-  int max_seats = 3200;      ///< growth: the largest theatre
-  std::string data;          ///< rooms: the folder that holds `rooms/`
-  layout::Options layout;    ///< method, scheme, start; seed, starts and threads are the bench's own
+  int max_seats = 3200;    ///< growth: the largest theatre
+  std::string data;        ///< rooms: the folder that holds `rooms/`
+  layout::Options layout;  ///< method, scheme, start; seed, starts and threads are the bench's own
   Progress progress;
   const Cancel* cancel = nullptr;
 };

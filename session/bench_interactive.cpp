@@ -19,8 +19,10 @@ Result<std::vector<double>> drag_times(const Scene& furnished, const BenchOption
     const Bounds room = bounds(scene.space.outline);
     Object& object = scene.objects[rng.index(static_cast<std::uint32_t>(scene.objects.size()))];
     const double margin = 0.5 * std::hypot(object.size.x, object.size.y);
-    object.position->x = std::clamp(object.position->x + rng.uniform(-0.5, 0.5), room.min.x + margin, room.max.x - margin);
-    object.position->y = std::clamp(object.position->y + rng.uniform(-0.5, 0.5), room.min.y + margin, room.max.y - margin);
+    object.position->x =
+        std::clamp(object.position->x + rng.uniform(-0.5, 0.5), room.min.x + margin, room.max.x - margin);
+    object.position->y =
+        std::clamp(object.position->y + rng.uniform(-0.5, 0.5), room.min.y + margin, room.max.y - margin);
     object.lock = Lock::position;
     layout::Options layout = options.layout;
     layout.start = layout::Start::given;
@@ -39,8 +41,10 @@ Result<std::vector<double>> drag_times(const Scene& furnished, const BenchOption
 }  // namespace
 
 Result<BenchGroup> bench_interactive(const BenchOptions& options) {
-  Table table{"interactive", "Interactive: one object dragged by up to half a metre, all else solved again", {}, {}, {}};
-  table.columns = {{"scene"}, {"objects", 0}, {"drags", 0}, {"median ms", 3}, {"p95 ms", 3}, {"max ms", 3}, {"feasible %", 1}};
+  Table table{
+      "interactive", "Interactive: one object dragged by up to half a metre, all else solved again", {}, {}, {}};
+  table.columns = {{"scene"},     {"objects", 0}, {"drags", 0},     {"median ms", 3},
+                   {"p95 ms", 3}, {"max ms", 3},  {"feasible %", 1}};
   for (const char* name : {"living-room", "picnic"}) {
     const Scene scene = find_paper_scene(name)->build();
     layout::Options layout = options.layout;

@@ -52,8 +52,8 @@ Result<std::vector<Cell>> table1_row(const std::string& name, const PaperScene& 
 
 Result<BenchGroup> bench_table1(const BenchOptions& options) {
   Table table{"table1", "Table 1: one start on one thread, our times beside the published", {}, {}, {}};
-  table.columns = {{"scene"},       {"objects", 0},  {"median ms", 3},         {"p95 ms", 3},
-                   {"paper s", 2},  {"ratio", 0},    {"annealing s", 2},       {"feasible % 1 start", 1},
+  table.columns = {{"scene"},       {"objects", 0},    {"median ms", 3},      {"p95 ms", 3},
+                   {"paper s", 2},  {"ratio", 0},      {"annealing s", 2},    {"feasible % 1 start", 1},
                    {"5 starts", 1}, {"iterations", 0}, {"energy 5 starts", 3}};
   for (const PaperScene& paper : paper_scenes()) {
     const Scene scene = paper.build();
@@ -67,14 +67,16 @@ Result<BenchGroup> bench_table1(const BenchOptions& options) {
     if (!collided) return collided.error();
     table.rows.push_back(*collided);
   }
-  table.notes.push_back("seeds: " + std::to_string(options.seeds) +
-                        "; published: Python and Cython, one 2.5 GHz core, mean of 10 runs; photo rooms: \"no more than 4 s\"");
+  table.notes.push_back(
+      "seeds: " + std::to_string(options.seeds) +
+      "; published: Python and Cython, one 2.5 GHz core, mean of 10 runs; photo rooms: \"no more than 4 s\"");
   return BenchGroup{{std::move(table)}, {}};
 }
 
 Result<BenchGroup> bench_growth(const BenchOptions& options) {
   Table table{"growth", "Growth: theater-1 with more and more seats, one start on one thread", {}, {}, {}};
-  table.columns = {{"seats", 0}, {"median ms", 2}, {"ms per seat", 5}, {"per doubling %", 1}, {"feasible %", 1}, {"iterations", 0}};
+  table.columns = {{"seats", 0},          {"median ms", 2},  {"ms per seat", 5},
+                   {"per doubling %", 1}, {"feasible %", 1}, {"iterations", 0}};
   BenchCurve curve{"growth", "Time to furnish a theatre", "seats", "seconds", true, true, {}};
   curve.lines.push_back({"inhabit, median", {}, {}});
   double before = 0;
@@ -101,10 +103,13 @@ Result<BenchGroup> bench_growth(const BenchOptions& options) {
 
 Result<BenchGroup> bench_tight(const BenchOptions& options) {
   Table table{"tight", "Tight bedroom: how often a layout is found as the room shrinks", {}, {}, {}};
-  table.columns = {{"coverage %", 0}, {"feasible % 1 start", 1}, {"5 starts", 1}, {"25 starts", 1}, {"median ms 1 start", 3}, {"median ms 5 starts", 3}};
-  BenchCurve curve{"tight", "Tight bedroom: share of feasible layouts", "floor coverage, %", "feasible, %", false, false, {}};
+  table.columns = {{"coverage %", 0}, {"feasible % 1 start", 1}, {"5 starts", 1},
+                   {"25 starts", 1},  {"median ms 1 start", 3},  {"median ms 5 starts", 3}};
+  BenchCurve curve{
+      "tight", "Tight bedroom: share of feasible layouts", "floor coverage, %", "feasible, %", false, false, {}};
   const std::array starts = {1, 5, 25};
-  for (const int count : starts) curve.lines.push_back({std::to_string(count) + (count == 1 ? " start" : " starts"), {}, {}});
+  for (const int count : starts)
+    curve.lines.push_back({std::to_string(count) + (count == 1 ? " start" : " starts"), {}, {}});
   for (const double coverage : {0.53, 0.60, 0.66, 0.70, 0.75, 0.80}) {
     std::vector<Cell> row = {100 * coverage};
     std::vector<double> times;

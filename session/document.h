@@ -26,15 +26,21 @@ struct BuiltinScene {
 /// In order of name; cmake/embed_scenes.cmake writes them.
 std::span<const BuiltinScene> builtin_scenes();
 
-/// A built-in scene by name, unless a file of that name exists; else the file, by extension. Errors say which names there are.
-Result<Document> open_document(const std::string& name);
-/// Bytes in the format that the file name's extension says.
-Result<Document> read_document(std::string_view file_name, std::string bytes);
-/// The document in the format that the file name's extension says. Errors: a format that is not written, several rooms for
-/// a format that holds one scene.
+struct OpenOptions {
+  std::string asset_database;  ///< sizes of ProcTHOR's pieces, for its houses
+  std::size_t line = 0;        ///< the house of a file that has one per line, from 1; 0: all
+};
+
+/// The file of this name; when there is none, the built-in scene. Errors offer the nearest built-in name.
+Result<Document> open_document(const std::string& name, const OpenOptions& options = {});
+/// Bytes of a home (.sh3d, .xml) or of any format of io/format_table.h.
+Result<Document> read_document(std::string_view file_name, std::string bytes, const OpenOptions& options = {});
+/// The document in the format that the file name's extension says. Errors: a format that is not written, several rooms
+/// for a format that holds one scene.
 Result<std::string> write_document(const Document& document, std::string_view file_name);
 
-/// The rooms called `names` alone, in document order; all of them when `names` is empty. Errors name the rooms there are.
+/// The rooms called `names` alone, in document order; all of them when `names` is empty. Errors name the rooms there
+/// are.
 Result<Document> only_rooms(Document document, std::span<const std::string> names);
 
 /// Writes the bytes beside the file and renames, so that an existing file stays whole whatever happens.

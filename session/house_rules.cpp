@@ -67,7 +67,8 @@ bool is_any_of(std::string_view kind, std::initializer_list<std::string_view> ki
 bool is_free_furniture(const Object& o) { return !o.fixed && o.mount == Mount::floor && o.on.none(); }
 
 struct Household {
-  std::vector<Ref> at_wall, chairs, office_chairs, tables, desks, viewers, beds, bedside, coffee_tables, sofas, televisions;
+  std::vector<Ref> at_wall, chairs, office_chairs, tables, desks, viewers, beds, bedside, coffee_tables, sofas,
+      televisions;
 };
 
 Household sort_out(const Scene& scene) {
@@ -87,7 +88,8 @@ Household sort_out(const Scene& scene) {
     if (is_any_of(kind, {"sofa", "armchair"})) h.viewers.push_back(ref);
     if (kind == "bedside table") h.bedside.push_back(ref);
     if (kind == "coffee table") h.coffee_tables.push_back(ref);
-    const bool wall = std::any_of(kRules.begin(), kRules.end(), [&](const HouseRule& r) { return r.kind == kind && r.place == Place::wall; });
+    const bool wall = std::any_of(kRules.begin(), kRules.end(),
+                                  [&](const HouseRule& r) { return r.kind == kind && r.place == Place::wall; });
     if (wall) h.at_wall.push_back(ref);
   }
   return h;

@@ -14,8 +14,8 @@ namespace inhabit::session {
 
 struct FurnishJob {
   layout::Options layout;
-  int variants = 1;         ///< distinct suggestions for each room, best first
-  bool house_rules = false; ///< constraints by kind for rooms that state none
+  int variants = 1;          ///< distinct suggestions for each room, best first
+  bool house_rules = false;  ///< constraints by kind for rooms that state none
 };
 
 /// One arrangement of one room.

@@ -11,7 +11,8 @@ namespace {
 
 Table scenes_table() {
   Table table{"scenes", "", {}, {}, {}};
-  table.columns = {{"name"}, {"objects", 0}, {"constraints", 0}, {"width m", 2}, {"depth m", 2}, {"coverage %", 0}, {"paper s", 2}, {"what"}};
+  table.columns = {{"name"},       {"objects", 0},    {"constraints", 0}, {"width m", 2},
+                   {"depth m", 2}, {"coverage %", 0}, {"paper s", 2},     {"what"}};
   for (const PaperScene& paper : paper_scenes()) {
     const Scene scene = paper.build();
     const Vec2 size = bounds(scene.space.outline).size();

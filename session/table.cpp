@@ -10,9 +10,16 @@ namespace inhabit::session {
 namespace {
 
 std::string cell_text(const Cell& cell, int digits) {
-  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
-  if (const auto* number = std::get_if<double>(&cell)) return std::isfinite(*number) ? core::fixed(*number, digits) : "inf";
-  if (const auto* truth = std::get_if<bool>(&cell)) return *truth ? "yes" : "no";
+  switch (cell.kind) {
+    case Cell::Kind::text:
+      return cell.text;
+    case Cell::Kind::number:
+      return std::isfinite(cell.number) ? core::fixed(cell.number, digits) : "inf";
+    case Cell::Kind::truth:
+      return cell.number != 0 ? "yes" : "no";
+    case Cell::Kind::nothing:
+      break;
+  }
   return "-";
 }
 
@@ -36,7 +43,7 @@ std::string table_text(const Table& table) {
     bool numbers = true;
     for (const auto& row : table.rows) {
       width = std::max(width, width_of(cell_text(row[c], table.columns[c].digits)));
-      numbers = numbers && !std::holds_alternative<std::string>(row[c]);
+      numbers = numbers && row[c].kind != Cell::Kind::text;
     }
     widths.push_back(width);
     right.push_back(numbers);
@@ -68,9 +75,9 @@ std::string table_json(const Table& table) {
     nlohmann::ordered_json object = nlohmann::ordered_json::object();
     for (std::size_t c = 0; c < row.size(); ++c) {
       auto& value = object[table.columns[c].name];
-      if (const auto* text = std::get_if<std::string>(&row[c])) value = *text;
-      if (const auto* number = std::get_if<double>(&row[c])) value = *number;
-      if (const auto* truth = std::get_if<bool>(&row[c])) value = *truth;
+      if (row[c].kind == Cell::Kind::text) value = row[c].text;
+      if (row[c].kind == Cell::Kind::number) value = row[c].number;
+      if (row[c].kind == Cell::Kind::truth) value = row[c].number != 0;
     }
     json["rows"].push_back(std::move(object));
   }

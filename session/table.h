@@ -1,13 +1,26 @@
 #pragma once
-#include <cstdint>
 #include <string>
-#include <variant>
+#include <utility>
 #include <vector>
 
 namespace inhabit::session {
 
 /// One value of a table: nothing (printed as "-", null in JSON), text, a number, a truth.
-using Cell = std::variant<std::monostate, std::string, double, bool>;
+struct Cell {
+  enum class Kind { nothing, text, number, truth } kind = Kind::nothing;
+  std::string text;
+  double number = 0;
+
+  Cell() = default;
+  Cell(double value) : kind(Kind::number), number(value) {}
+  Cell(std::string value) : kind(Kind::text), text(std::move(value)) {}
+  Cell(const char* value) : kind(Kind::text), text(value) {}
+  static Cell truth(bool value) {
+    Cell cell(value ? 1.0 : 0.0);
+    cell.kind = Kind::truth;
+    return cell;
+  }
+};
 
 struct Column {
   std::string name;  ///< unit included, as people read it: "median ms"
@@ -27,8 +40,8 @@ std::string table_text(const Table& table);
 /// `{"id": …, "title": …, "rows": [{"column": value, …}], "notes": […]}`, numbers in full.
 std::string table_json(const Table& table);
 
-/// Value below which `share` of the values lie (the smallest one that so many do not exceed); the mean of the two middle
-/// ones for the median of an even count; 0 for no values.
+/// Value below which `share` of the values lie (the smallest one that so many do not exceed); the mean of the two
+/// middle ones for the median of an even count; 0 for no values.
 double quantile(std::vector<double> values, double share);
 inline double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
 

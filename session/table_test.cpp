@@ -18,7 +18,8 @@ TEST_CASE("a table aligns numbers to the right and text to the left") {
 }
 
 TEST_CASE("a table as JSON keeps every digit and null for nothing") {
-  const Table table{"t", "", {{"scene"}, {"ms", 1}, {"ok"}}, {{"a", 1.25, true}, {"b", {}, false}}, {}};
+  const Table table{
+      "t", "", {{"scene"}, {"ms", 1}, {"ok"}}, {{"a", 1.25, Cell::truth(true)}, {"b", {}, Cell::truth(false)}}, {}};
   const auto json = nlohmann::json::parse(table_json(table));
   CHECK(json["rows"][0]["ms"] == 1.25);
   CHECK(json["rows"][0]["ok"] == true);

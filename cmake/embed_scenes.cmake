@@ -1,0 +1,18 @@
+# Writes OUTPUT, a C++ file that holds every scenes/*.json of SOURCE: `cmake -DSOURCE=… -DOUTPUT=… -P embed_scenes.cmake`.
+file(GLOB files ${SOURCE}/*.json)
+list(SORT files)
+set(text "#include <array>\n\n#include \"session/document.h\"\n\nnamespace inhabit::session {\nnamespace {\n\n")
+set(rows "")
+set(count 0)
+foreach(file IN LISTS files)
+  get_filename_component(name ${file} NAME_WE)
+  file(READ ${file} json HEX)
+  # As numbers, because a string literal of this size is more than the standard promises.
+  string(REGEX REPLACE "([0-9a-f][0-9a-f])" "'\\\\x\\1'," bytes "${json}")
+  string(APPEND text "constexpr char kScene${count}[] = {${bytes}'\\0'};\n")
+  string(APPEND rows "    BuiltinScene{\"${name}\", {kScene${count}, sizeof kScene${count} - 1}},\n")
+  math(EXPR count "${count} + 1")
+endforeach()
+string(APPEND text "\nconstexpr std::array<BuiltinScene, ${count}> kScenes = {\n${rows}};\n\n}  // namespace\n\n")
+string(APPEND text "std::span<const BuiltinScene> builtin_scenes() { return kScenes; }\n\n}  // namespace inhabit::session\n")
+file(WRITE ${OUTPUT} "${text}")

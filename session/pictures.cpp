@@ -1,0 +1,114 @@
+#include "session/pictures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/plan.h"
+#include "render/plot.h"
+#include "render/sheet.h"
+
+namespace inhabit::session {
+namespace {
+
+Result<render::Format> format_for(std::string_view file_name) {
+  if (const std::optional<render::Format> format = render::format_of(file_name)) return *format;
+  return Error{ErrorCode::unsupported, "a picture is written as .svg, .png or .pdf", ""};
+}
+
+render::PlanOptions plan_options(const PictureOptions& options) {
+  render::PlanOptions plan;
+  if (!options.labels) plan.labels = render::PlanOptions::Labels::none;
+  plan.clearances = options.clearances;
+  plan.views = options.views;
+  plan.door_zones = options.door_zones;
+  return plan;
+}
+
+Result<std::string> encoded(const render::Drawing& drawing, std::string_view file_name, const PictureOptions& options) {
+  const Result<render::Format> format = format_for(file_name);
+  if (!format) return format.error();
+  return render::encode(drawing, *format, {options.pixels});
+}
+
+render::Drawing plan_of(const Scene& scene, const PictureOptions& options) {
+  render::PlanOptions plan = plan_options(options);
+  if (!options.problems) return render::draw_plan(scene, plan);
+  const layout::CheckReport report = layout::check(scene);
+  plan.report = &report;
+  return render::draw_plan(scene, plan);
+}
+
+}  // namespace
+
+Status check_picture_name(std::string_view file_name) {
+  const Result<render::Format> format = format_for(file_name);
+  if (!format) return format.error();
+  return Done{};
+}
+
+Result<std::string> plan_picture(const Document& document, std::string_view file_name, const PictureOptions& options) {
+  if (document.scenes.size() == 1) return encoded(plan_of(document.scenes.front(), options), file_name, options);
+  std::vector<layout::CheckReport> reports;
+  if (options.problems)
+    for (const Scene& scene : document.scenes) reports.push_back(layout::check(scene));
+  std::vector<render::SheetCell> cells;
+  for (std::size_t i = 0; i < document.scenes.size(); ++i) {
+    render::SheetCell cell;
+    cell.scene = &document.scenes[i];
+    cell.caption = document.scenes[i].name;
+    if (options.problems) cell.report = &reports[i];
+    cells.push_back(std::move(cell));
+  }
+  render::SheetOptions sheet;
+  sheet.title = document.name;
+  sheet.labels = options.labels;
+  return encoded(render::draw_sheet(cells, sheet), file_name, options);
+}
+
+Result<std::string> sheet_picture(const Furnished& furnished, std::string_view file_name,
+                                  const PictureOptions& options) {
+  std::vector<render::SheetCell> cells;
+  for (const FurnishedRoom& room : furnished.rooms)
+    for (std::size_t k = 0; k < room.suggestions.size(); ++k) {
+      const Suggestion& suggestion = room.suggestions[k];
+      render::SheetCell cell;
+      cell.scene = &suggestion.scene;
+      if (furnished.rooms.size() > 1) cell.caption = room.name + " · ";
+      cell.caption += std::to_string(k + 1);
+      if (k == 0) cell.caption += " · best";
+      cell.feasible = suggestion.report.feasible;
+      cell.energy = suggestion.report.energy;
+      cells.push_back(std::move(cell));
+    }
+  if (cells.empty()) return Error{ErrorCode::not_found, "there is nothing to draw: no room was furnished", ""};
+  render::SheetOptions sheet;
+  sheet.title = furnished.rooms.size() == 1 ? furnished.rooms.front().name : "Suggestions";
+  sheet.labels = options.labels;
+  return encoded(render::draw_sheet(cells, sheet), file_name, options);
+}
+
+Result<std::string> trace_picture(const std::vector<layout::TraceRow>& trace, std::string_view title,
+                                  std::string_view file_name) {
+  render::Drawing drawing = render::draw_energy(trace);
+  if (!title.empty()) drawing.title = title;
+  return encoded(drawing, file_name, {});
+}
+
+Result<std::string> curve_picture(const BenchCurve& curve, std::string_view file_name) {
+  render::Plot plot;
+  plot.title = curve.title;
+  plot.x.label = curve.x_label;
+  plot.x.log = curve.log_x;
+  plot.y.label = curve.y_label;
+  plot.y.log = curve.log_y;
+  for (const BenchCurve::Line& line : curve.lines) {
+    render::Series series;
+    series.label = line.name;
+    series.marker = render::Marker::circle;
+    for (std::size_t i = 0; i < line.x.size(); ++i) series.points.push_back({line.x[i], line.y[i]});
+    plot.series.push_back(std::move(series));
+  }
+  return encoded(render::draw_plot(plot), file_name, {});
+}
+
+}  // namespace inhabit::session
