@@ -11,9 +11,10 @@ namespace {
 std::vector<Ref> add_book_stack(Scene& scene, std::size_t first) {
   std::vector<Ref> books;
   for (std::size_t k = 0; k < 6; ++k) {
-    const double smaller = 0.008 * static_cast<double>(k);
+    // Whole millimetres, so that the file is readable.
+    const double smaller = 8 * static_cast<double>(k), thick = 20 + 5 * static_cast<double>(k % 3);
     books.push_back(add_object(scene, numbered("book", first + k), "book",
-                               {0.18 - smaller, 0.25 - smaller, 0.02 + 0.005 * static_cast<double>(k % 3)}));
+                               {(180 - smaller) / 1000, (250 - smaller) / 1000, thick / 1000}));
   }
   for (std::size_t k = 1; k < books.size(); ++k) stack(scene, books[k], books[k - 1]);
   return books;
