@@ -4,9 +4,9 @@
 #include <map>
 
 #include "layout/check.h"
+#include "layout/house_rules.h"
 #include "session/bench.h"
 #include "session/document.h"
-#include "session/house_rules.h"
 
 namespace inhabit::session {
 namespace {
@@ -31,7 +31,8 @@ void furnish_again(const Scene& room, const std::string& source, const BenchOpti
                    Table& failures) {
   ++count.rooms;
   count.human += layout::check(room).feasible;
-  const Scene stripped = layout::without_positions(with_house_rules(room));
+  Scene stripped = layout::without_positions(room);
+  layout::add_house_rules(stripped);
   for (const int starts : {1, 5}) {
     layout::Options layout = options.layout;
     layout.starts = starts;

@@ -5,7 +5,7 @@
 #include "core/text.h"
 #include "io/check_json.h"
 #include "io/formats/scene_json.h"
-#include "session/house_rules.h"
+#include "layout/house_rules.h"
 #include "session/jobs.h"
 #include "session/table.h"
 
@@ -37,7 +37,8 @@ Result<Layouts> find_layouts(const Scene& scene, const FurnishJob& job) {
 }
 
 Result<FurnishedRoom> furnish_room(const Scene& original, const FurnishJob& job, bool& cancelled) {
-  const Scene scene = job.house_rules ? with_house_rules(original) : original;
+  Scene scene = original;
+  if (job.house_rules) layout::add_house_rules(scene);
   FurnishedRoom room;
   room.name = scene.name;
   const auto begin = std::chrono::steady_clock::now();

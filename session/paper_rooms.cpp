@@ -35,6 +35,11 @@ Scene living_room() {
   stand_at_wall(scene, {tv, coat_rack, plant_1, plant_2}, 0.05);
   stand_at_wall(scene, {door}, 0);
   turn_from_wall(scene, {tv, coat_rack, door, plant_1, plant_2});
+  // Ours: the door keeps out of the wall that has the windows.
+  KeepOut windows;
+  windows.members = list_of({door});
+  windows.polygon = {{0.5, 4.6}, {6, 4.6}, {6, 5}, {0.5, 5}};
+  scene.constraints.add(std::move(windows));
   scene.constraints.add(VisualBalance{});
   look_at(scene, {sofa, chair_1, chair_2}, tv);
   look_at(scene, {office_chair}, desk);
