@@ -39,7 +39,7 @@ TEST_CASE("a furnish job places everything and says how well") {
 
 TEST_CASE("a room that cannot be furnished is an error alone and a note among others") {
   Scene hopeless = bedroom();
-  hopeless.objects[0].size = {50, 50, 1};
+  hopeless.objects[0].on = {Ref::Kind::object, 0};  // it stands on itself
   CHECK_FALSE(furnish_job(document_of(hopeless), {}).ok());
   Document two = document_of(hopeless);
   two.scenes.push_back(living_room());
