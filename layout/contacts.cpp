@@ -30,7 +30,7 @@ Contacts::Contacts(const Problem& problem) : p_(problem) {
       small_radius_ = std::max(small_radius_, boxes[i].radius);
     }
   }
-  margin_ = 0.5 * *middle;
+  margin_ = *middle;
 }
 
 void Contacts::all_pairs() {
@@ -75,8 +75,9 @@ void Contacts::rebuild(const State& x) {
   double cell = 2 * small_radius_ + margin_;
   cell = std::max(cell, std::sqrt(std::max(1e-9, extent.x * extent.y) / (4.0 * static_cast<double>(n))));
   const auto columns = static_cast<std::int64_t>(extent.x / cell) + 1, rows = static_cast<std::int64_t>(extent.y / cell) + 1;
-  const auto column = [&](double v) { return std::clamp(static_cast<std::int64_t>(std::floor((v - b.min.x) / cell)), std::int64_t{0}, columns - 1); };
-  const auto row = [&](double v) { return std::clamp(static_cast<std::int64_t>(std::floor((v - b.min.y) / cell)), std::int64_t{0}, rows - 1); };
+  // Truncation is floor here: nothing lies below the bounds' corner, and queries that do are clamped to it.
+  const auto column = [&](double v) { return std::min(static_cast<std::int64_t>(std::max(0.0, (v - b.min.x) / cell)), columns - 1); };
+  const auto row = [&](double v) { return std::min(static_cast<std::int64_t>(std::max(0.0, (v - b.min.y) / cell)), rows - 1); };
   // Counting sort of the small boxes by cell.
   cell_first_.assign(static_cast<std::size_t>(columns * rows) + 1, 0);
   cell_of_.assign(n, 0xffffffffu);
@@ -103,19 +104,29 @@ void Contacts::rebuild(const State& x) {
     }
   };
   pairs_.clear();
-  for (std::uint32_t i = 0; i < n && p_.collisions; ++i) {
-    const auto consider = [&](std::uint32_t j) {
+  if (p_.collisions) {
+    const auto consider = [&](std::uint32_t i, std::uint32_t j) {
       const double reach = boxes[i].radius + boxes[j].radius + margin_;
       const Vec2 d = built_at_[i] - built_at_[j];
       if (dot(d, d) < reach * reach && p_.collide(i, j)) pairs_.push_back({std::min(i, j), std::max(i, j)});
     };
-    if (cell_of_[i] != 0xffffffffu) {
-      visit(built_at_[i], boxes[i].radius + small_radius_ + margin_, [&](std::uint32_t j) {
-        if (j > i) consider(j);
-      });
-    } else {
+    // Small with small: a cell is as wide as any such pair reaches, so each cell meets itself and four of its neighbours.
+    for (std::int64_t r = 0; r < rows; ++r) {
+      for (std::int64_t c = 0; c < columns; ++c) {
+        const auto k = static_cast<std::size_t>(r * columns + c);
+        for (std::uint32_t s = cell_first_[k]; s < cell_first_[k + 1]; ++s) {
+          for (std::uint32_t t = s + 1; t < cell_first_[k + 1]; ++t) consider(cell_items_[s], cell_items_[t]);
+          for (const auto& [dc, dr] : {std::pair{1, 0}, {-1, 1}, {0, 1}, {1, 1}}) {
+            if (c + dc < 0 || c + dc >= columns || r + dr >= rows) continue;
+            const auto other = static_cast<std::size_t>((r + dr) * columns + c + dc);
+            for (std::uint32_t t = cell_first_[other]; t < cell_first_[other + 1]; ++t) consider(cell_items_[s], cell_items_[t]);
+          }
+        }
+      }
+    }
+    for (const std::uint32_t i : large_) {
       for (std::uint32_t j = 0; j < n; ++j) {
-        if (cell_of_[j] != 0xffffffffu || j > i) consider(j);
+        if (cell_of_[j] != 0xffffffffu || j > i) consider(i, j);
       }
     }
   }

@@ -32,10 +32,7 @@ Placer::Placer(const Problem& problem, State& x) : p_(problem), x_(x) {
   reach_.resize(n);
   for (std::size_t b = 0; b < n; ++b) {
     reach_[b] = p_.data.bodies[b].radius;
-    for (const std::uint32_t z : p_.zones_of_body[b]) {
-      const Zone& zone = p_.zones[z];
-      reach_[b] = std::max(reach_[b], p_.zone_reach(z));
-    }
+    for (const std::uint32_t z : p_.zones_of_body[b]) reach_[b] = std::max(reach_[b], p_.zone_reach(z));
   }
   all_ = n <= kFew;
   is_large_.assign(n, false);
