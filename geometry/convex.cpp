@@ -1,9 +1,8 @@
 #include "geometry/convex.h"
 
-#include <geos_c.h>
-
 #include <algorithm>
-#include <memory>
+
+#include "geometry/geos.h"
 
 namespace inhabit::geometry {
 
@@ -68,24 +67,16 @@ bool join(Ring& a, const Ring& b) {
 std::vector<Ring> convex_parts(std::span<const Vec2> ring) {
   const Ring whole = counter_clockwise({ring.begin(), ring.end()});
   if (is_convex(whole)) return {whole};
-  const std::unique_ptr<std::remove_pointer_t<GEOSContextHandle_t>, decltype(&GEOS_finish_r)> context(GEOS_init_r(), &GEOS_finish_r);
-  const auto h = context.get();
-  GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(h, static_cast<unsigned>(whole.size() + 1), 2);
-  for (std::size_t i = 0; i <= whole.size(); ++i)
-    GEOSCoordSeq_setXY_r(h, sequence, static_cast<unsigned>(i), whole[i % whole.size()].x, whole[i % whole.size()].y);
-  GEOSGeometry* polygon = GEOSGeom_createPolygon_r(h, GEOSGeom_createLinearRing_r(h, sequence), nullptr, 0);
-  GEOSGeometry* triangles = GEOSConstrainedDelaunayTriangulation_r(h, polygon);
+  const Geos geos;
+  const Geos::Shape polygon = geos.raw_polygon(whole);
+  const Geos::Shape triangles = geos.own(GEOSConstrainedDelaunayTriangulation_r(geos.get(), polygon.get()));
   std::vector<Ring> parts;
-  const int count = triangles != nullptr ? GEOSGetNumGeometries_r(h, triangles) : 0;
+  const int count = triangles ? GEOSGetNumGeometries_r(geos.get(), triangles.get()) : 0;
   for (int t = 0; t < count; ++t) {
-    const GEOSGeometry* shell = GEOSGetExteriorRing_r(h, GEOSGetGeometryN_r(h, triangles, t));
-    const GEOSCoordSequence* corners = GEOSGeom_getCoordSeq_r(h, shell);
-    Ring triangle(3);
-    for (unsigned k = 0; k < 3; ++k) GEOSCoordSeq_getXY_r(h, corners, k, &triangle[k].x, &triangle[k].y);
-    parts.push_back(counter_clockwise(std::move(triangle)));
+    const GEOSGeometry* triangle = GEOSGetGeometryN_r(geos.get(), triangles.get(), t);
+    Ring corners = geos.corners(GEOSGetExteriorRing_r(geos.get(), triangle));
+    if (corners.size() == 3) parts.push_back(counter_clockwise(std::move(corners)));
   }
-  if (triangles != nullptr) GEOSGeom_destroy_r(h, triangles);
-  GEOSGeom_destroy_r(h, polygon);
   for (bool joined = true; joined;) {
     joined = false;
     for (std::size_t i = 0; i < parts.size() && !joined; ++i) {

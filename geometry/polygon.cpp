@@ -1,9 +1,8 @@
 #include "geometry/polygon.h"
 
-#include <geos_c.h>
-
-#include <memory>
 #include <string>
+
+#include "geometry/geos.h"
 
 namespace inhabit::geometry {
 
@@ -79,31 +78,23 @@ std::optional<std::string> why_not_simple(std::span<const Vec2> ring) {
     if (ring[i] == ring[(i + 1) % ring.size()])
       return "corners " + std::to_string(i) + " and " + std::to_string((i + 1) % ring.size()) + " are the same point";
   }
-  const std::unique_ptr<std::remove_pointer_t<GEOSContextHandle_t>, decltype(&GEOS_finish_r)> context(GEOS_init_r(), &GEOS_finish_r);
-  const auto handle = context.get();
-  GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(handle, static_cast<unsigned>(ring.size() + 1), 2);
-  for (std::size_t i = 0; i <= ring.size(); ++i) {
-    const Vec2 p = ring[i % ring.size()];
-    GEOSCoordSeq_setXY_r(handle, sequence, static_cast<unsigned>(i), p.x, p.y);
-  }
-  GEOSGeometry* shell = GEOSGeom_createLinearRing_r(handle, sequence);
-  if (shell == nullptr) return "is no ring";
-  GEOSGeometry* polygon = GEOSGeom_createPolygon_r(handle, shell, nullptr, 0);
+  const Geos geos;
+  const Geos::Shape polygon = geos.raw_polygon(ring);
+  if (!polygon) return "is no ring";
   char* reason = nullptr;
   GEOSGeometry* place = nullptr;
-  const char valid = GEOSisValidDetail_r(handle, polygon, 0, &reason, &place);
+  const char valid = GEOSisValidDetail_r(geos.get(), polygon.get(), 0, &reason, &place);
+  const Geos::Shape at = geos.own(place);
   std::optional<std::string> answer;
   if (valid != 1) {
     answer = reason != nullptr ? std::string(reason) : "is no simple polygon";
     double x = 0, y = 0;
-    if (place != nullptr && GEOSGeomGetX_r(handle, place, &x) == 1 && GEOSGeomGetY_r(handle, place, &y) == 1)
+    if (at && GEOSGeomGetX_r(geos.get(), at.get(), &x) == 1 && GEOSGeomGetY_r(geos.get(), at.get(), &y) == 1)
       answer = "the outline touches or crosses itself near (" + std::to_string(x) + ", " + std::to_string(y) + ")";
   } else if (std::abs(signed_area(ring)) < 1e-9) {
     answer = "the outline encloses no area";
   }
-  if (reason != nullptr) GEOSFree_r(handle, reason);
-  if (place != nullptr) GEOSGeom_destroy_r(handle, place);
-  GEOSGeom_destroy_r(handle, polygon);
+  if (reason != nullptr) GEOSFree_r(geos.get(), reason);
   return answer;
 }
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "core/text.h"
-#include "geometry/clip.h"
+#include "geometry/overlay.h"
 #include "io/formats/sweethome3d_scene.h"
 #include "scene/kind.h"
 
@@ -62,10 +62,10 @@ void set_outline(const Plan& plan, RoomDraft& draft, std::vector<std::string>& w
   space.outline = draft.polygon;
   const std::vector<Ring> walls = walls_at(plan, *draft.room, draft.polygon);
   if (overlap_deeper(draft.polygon, walls, kSliver)) {
-    const std::vector<Area> areas = difference(draft.polygon, walls, kSliver);
+    const std::vector<Area> areas = smooth_difference(draft.polygon, walls, kSliver);
     double total = 0;
-    for (const Area& area : areas) total += area.size;
-    if (!areas.empty() && areas[0].size >= 0.8 * total) {
+    for (const Area& area : areas) total += area.size();
+    if (!areas.empty() && areas[0].size() >= 0.8 * total) {
       space.outline = areas[0].outline;
       for (const Ring& hole : areas[0].holes) {
         if (signed_area(hole) > kSmallestRoom) space.holes.push_back({draft.ids.next("wall"), hole, {}});
@@ -76,9 +76,9 @@ void set_outline(const Plan& plan, RoomDraft& draft, std::vector<std::string>& w
   }
   const auto why = why_not_simple(space.outline);
   if (!why) return;
-  const std::vector<Area> repaired = difference(space.outline, {}, kSliver / 2);
+  const std::vector<Area> repaired = smooth_difference(space.outline, {}, kSliver / 2);
   space.holes.clear();
-  if (!repaired.empty() && repaired[0].size > kSmallestRoom && !why_not_simple(repaired[0].outline)) {
+  if (!repaired.empty() && repaired[0].size() > kSmallestRoom && !why_not_simple(repaired[0].outline)) {
     space.outline = repaired[0].outline;
     warnings.push_back(name + ": " + *why + "; its largest part is used");
   } else {
