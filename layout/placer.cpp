@@ -12,8 +12,11 @@ constexpr double kOverlapEdge = 0.1;
 constexpr std::size_t kFew = 32;
 /// Of the proposals, how many keep to the directions of the walls. People furnish at right angles, and it packs better.
 constexpr double kAligned = 0.9;
-/// While every sampled pose overlaps something, up to so many times as many are sampled.
+/// While every sampled pose overlaps something or misses the particle's own constraints, up to so many times as many are
+/// sampled.
 constexpr int kLongSearch = 4;
+/// Squared energy of a pose that misses them by centimetres only.
+constexpr double kFits = 0.01;
 
 }  // namespace
 
@@ -214,7 +217,7 @@ double Placer::term_cost(std::uint32_t body, double limit) const {
       }
     });
   }
-  return sum + center_cost(body);
+  return sum;
 }
 
 double Placer::hard_cost(std::uint32_t body, double limit) const {
@@ -223,7 +226,9 @@ double Placer::hard_cost(std::uint32_t body, double limit) const {
   return sum;
 }
 
-double Placer::cost(std::uint32_t body) const { return hard_cost(body, 1e300) + term_cost(body, 1e300); }
+double Placer::cost(std::uint32_t body) const {
+  return hard_cost(body, 1e300) + term_cost(body, 1e300) + center_cost(body);
+}
 
 void Placer::overlaps(std::uint32_t body, std::vector<std::pair<std::uint32_t, double>>& out) const {
   out.clear();
@@ -308,17 +313,18 @@ void Placer::fit(std::uint32_t body, bool push) {
 }
 
 double Placer::place(std::uint32_t body, Rng& rng, int tries) {
-  double best = 1e300, best_hard = 1e300;
+  double best = 1e300, least_fit = 1e300;
   State::Body pose = x_.bodies[body];
   for (int t = 0; t < kLongSearch * tries && best > 1e-9; ++t) {
-    if (t >= tries && best_hard <= 1e-9) break;
+    if (t >= tries && least_fit < kFits) break;
     const Pose q = propose(body, rng);
     x_.place(body, q.p, q.angle);
     fit(body, p_.collisions && (t & 1) != 0);
     const double hard = hard_cost(body, best);
     if (hard >= best) continue;
-    const double c = hard + term_cost(body, best - hard);
-    if (c < best) best = c, best_hard = hard, pose = x_.bodies[body];
+    const double fit_cost = hard + term_cost(body, best - hard);
+    const double c = fit_cost + center_cost(body);
+    if (c < best) best = c, least_fit = fit_cost, pose = x_.bodies[body];
   }
   x_.place(body, pose.p, pose.angle, pose.front);
   drop(body);
