@@ -33,11 +33,21 @@ Contacts::Contacts(const Problem& problem) : p_(problem) {
   margin_ = *middle;
 }
 
+Contacts::Pair Contacts::pair_of(std::uint32_t i, std::uint32_t j) const {
+  const double reach = p_.data.boxes[i].radius + p_.data.boxes[j].radius;
+  return {i, j, reach * reach};
+}
+
+Contacts::Pair Contacts::zone_pair_of(std::uint32_t z, std::uint32_t b) const {
+  const double reach = p_.zones[z].radius + p_.data.boxes[b].radius;
+  return {z, b, reach * reach};
+}
+
 void Contacts::all_pairs() {
   const auto n = static_cast<std::uint32_t>(p_.data.boxes.size());
   for (std::uint32_t i = 0; i < n && p_.collisions; ++i) {
     for (std::uint32_t j = i + 1; j < n; ++j) {
-      if (p_.collide(i, j)) pairs_.push_back({i, j});
+      if (p_.collide(i, j)) pairs_.push_back(pair_of(i, j));
     }
   }
   for (std::uint32_t z = 0; z < p_.zones.size(); ++z) {
@@ -45,7 +55,7 @@ void Contacts::all_pairs() {
       const BoxData& d = p_.data.boxes[b];
       const Zone& zone = p_.zones[z];
       const bool own = zone.owner && zone.owner->body == d.body;
-      if (!own && d.low < zone.high && zone.low < d.high && zone.concerns(b)) zone_pairs_.push_back({z, b});
+      if (!own && d.low < zone.high && zone.low < d.high && zone.concerns(b)) zone_pairs_.push_back(zone_pair_of(z, b));
     }
   }
 }
@@ -93,22 +103,22 @@ void Contacts::rebuild(const State& x) {
   cell_items_.resize(cell_first_.back());
   std::vector<std::uint32_t> fill(cell_first_.begin(), cell_first_.end() - 1);
   for (std::uint32_t i = 0; i < n; ++i) {
-    if (cell_of_[i] != 0xffffffffu) cell_items_[fill[cell_of_[i]]++] = i;
+    if (cell_of_[i] != 0xffffffffu) cell_items_[fill[cell_of_[i]]++] = {built_at_[i], boxes[i].radius, i};
   }
   const auto visit = [&](Vec2 p, double reach, auto&& f) {
     for (std::int64_t r = row(p.y - reach); r <= row(p.y + reach); ++r) {
       for (std::int64_t c = column(p.x - reach); c <= column(p.x + reach); ++c) {
         const auto k = static_cast<std::size_t>(r * columns + c);
-        for (std::uint32_t s = cell_first_[k]; s < cell_first_[k + 1]; ++s) f(cell_items_[s]);
+        for (std::uint32_t s = cell_first_[k]; s < cell_first_[k + 1]; ++s) f(cell_items_[s].box);
       }
     }
   };
   pairs_.clear();
   if (p_.collisions) {
-    const auto consider = [&](std::uint32_t i, std::uint32_t j) {
-      const double reach = boxes[i].radius + boxes[j].radius + margin_;
-      const Vec2 d = built_at_[i] - built_at_[j];
-      if (dot(d, d) < reach * reach && p_.collide(i, j)) pairs_.push_back({std::min(i, j), std::max(i, j)});
+    const auto consider = [&](const Item& i, const Item& j) {
+      const double reach = i.radius + j.radius + margin_;
+      const Vec2 d = i.center - j.center;
+      if (dot(d, d) < reach * reach && p_.collide(i.box, j.box)) pairs_.push_back(pair_of(std::min(i.box, j.box), std::max(i.box, j.box)));
     };
     // Small with small: a cell is as wide as any such pair reaches, so each cell meets itself and four of its neighbours.
     for (std::int64_t r = 0; r < rows; ++r) {
@@ -126,7 +136,7 @@ void Contacts::rebuild(const State& x) {
     }
     for (const std::uint32_t i : large_) {
       for (std::uint32_t j = 0; j < n; ++j) {
-        if (cell_of_[j] != 0xffffffffu || j > i) consider(i, j);
+        if (cell_of_[j] != 0xffffffffu || j > i) consider({built_at_[i], boxes[i].radius, i}, {built_at_[j], boxes[j].radius, j});
       }
     }
   }
@@ -140,7 +150,7 @@ void Contacts::rebuild(const State& x) {
       if (own || d.low >= zone.high || zone.low >= d.high) return;
       const double reach = zone_reach_[z] + d.radius + margin_;
       const Vec2 gap = at - built_at_[j];
-      if (dot(gap, gap) < reach * reach && zone.concerns(j)) zone_pairs_.push_back({z, j});
+      if (dot(gap, gap) < reach * reach && zone.concerns(j)) zone_pairs_.push_back(zone_pair_of(z, j));
     };
     visit(at, zone_reach_[z] + small_radius_ + margin_, consider);
     for (const std::uint32_t j : large_) consider(j);
@@ -149,7 +159,8 @@ void Contacts::rebuild(const State& x) {
 
 void Contacts::score(const State& x, Score& s, double& squares) const {
   for (const Pair& pair : pairs_) {
-    if (!near(x.boxes[pair.a], p_.data.boxes[pair.a].radius, x.boxes[pair.b], p_.data.boxes[pair.b].radius)) continue;
+    const Vec2 d = x.boxes[pair.a].center - x.boxes[pair.b].center;
+    if (dot(d, d) >= pair.reach_square) continue;
     const double depth = separation(x.boxes[pair.a], x.boxes[pair.b]).depth;
     if (depth <= 0) continue;
     s.violation += depth;
@@ -160,8 +171,7 @@ void Contacts::score(const State& x, Score& s, double& squares) const {
     const Zone& z = p_.zones[pair.a];
     const Box& box = x.boxes[pair.b];
     const Vec2 gap = box.center - zone_center(z, x);
-    const double reach = z.radius + p_.data.boxes[pair.b].radius;
-    if (dot(gap, gap) >= reach * reach) continue;
+    if (dot(gap, gap) >= pair.reach_square) continue;
     const double depth = zone_separation(z, box, x, false).depth;
     if (depth <= 0) continue;
     s.slack = std::max(s.slack, depth);
@@ -171,11 +181,11 @@ void Contacts::score(const State& x, Score& s, double& squares) const {
 
 void Contacts::add_load(const State& x, std::span<double> load) const {
   for (const Pair& pair : pairs_) {
-    const BoxData &a = p_.data.boxes[pair.a], &b = p_.data.boxes[pair.b];
-    if (!near(x.boxes[pair.a], a.radius, x.boxes[pair.b], b.radius)) continue;
+    const Vec2 d = x.boxes[pair.a].center - x.boxes[pair.b].center;
+    if (dot(d, d) >= pair.reach_square) continue;
     const double depth = separation(x.boxes[pair.a], x.boxes[pair.b]).depth;
     if (depth <= 0) continue;
-    load[a.body] += depth, load[b.body] += depth;
+    load[p_.data.boxes[pair.a].body] += depth, load[p_.data.boxes[pair.b].body] += depth;
   }
 }
 

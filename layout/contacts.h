@@ -37,10 +37,13 @@ class Contacts {
 
   struct Pair {
     std::uint32_t a = 0, b = 0;
+    double reach_square = 0;  ///< of the two circles about them: farther apart they cannot meet
   };
   const std::vector<Pair>& pairs() const { return pairs_; }
 
  private:
+  Pair pair_of(std::uint32_t i, std::uint32_t j) const;
+  Pair zone_pair_of(std::uint32_t z, std::uint32_t b) const;
   void rebuild(const State& x);
   void all_pairs();
   bool stale(const State& x) const;
@@ -51,7 +54,14 @@ class Contacts {
   std::vector<Pair> zone_pairs_;  ///< a: zone, b: box
   std::vector<double> zone_reach_;
   std::vector<Vec2> built_at_;
-  std::vector<std::uint32_t> large_, cell_of_, cell_first_, cell_items_;
+  /// A small box with what finding its pairs needs, in the order of the cells.
+  struct Item {
+    Vec2 center;
+    double radius = 0;
+    std::uint32_t box = 0;
+  };
+  std::vector<Item> cell_items_;
+  std::vector<std::uint32_t> large_, cell_of_, cell_first_;
   double margin_ = 0, small_radius_ = 0;
   bool all_ = false;
 };
@@ -67,8 +77,9 @@ template <class Sink>
 void Contacts::project_collisions(const State& x, double k, Sink& sink) const {
   const auto& boxes = p_.data.boxes;
   for (const Pair& pair : pairs_) {
+    const Vec2 d = x.boxes[pair.a].center - x.boxes[pair.b].center;
+    if (dot(d, d) >= pair.reach_square) continue;
     const BoxData &da = boxes[pair.a], &db = boxes[pair.b];
-    if (!near(x.boxes[pair.a], da.radius, x.boxes[pair.b], db.radius)) continue;
     const Separation s = contact(p_, x, pair.a, pair.b);
     if (s.depth <= 0) continue;
     const Anchor a{da.body}, b{db.body};
@@ -96,11 +107,10 @@ template <class Sink>
 void Contacts::project_zones(const State& x, std::span<const double> stiffness, bool sphere, Sink& sink) const {
   for (const Pair& pair : zone_pairs_) {
     const Zone& z = p_.zones[pair.a];
-    const BoxData& d = p_.data.boxes[pair.b];
     const Box& box = x.boxes[pair.b];
     const Vec2 gap = box.center - zone_center(z, x);
-    const double reach = z.radius + d.radius;
-    if (dot(gap, gap) >= reach * reach) continue;
+    if (dot(gap, gap) >= pair.reach_square) continue;
+    const BoxData& d = p_.data.boxes[pair.b];
     const Separation s = zone_separation(z, box, x, sphere);
     if (s.depth <= 0) continue;
     const Anchor a{d.body};

@@ -99,9 +99,13 @@ void Solver::begin() {
   if (options_.start == Start::random) return;
   begin_curves(placed);
   std::erase_if(todo, [&](std::uint32_t b) { return placed[b]; });
-  // Large before small, with some chance, so that starts differ.
+  // Large before small, with some chance, so that starts differ. In a large scene equals go in the order of the document:
+  // members of one tier are neighbours in the room and so in memory.
   std::vector<std::pair<double, std::uint32_t>> order;
-  for (const std::uint32_t b : todo) order.emplace_back(-p_.data.bodies[b].area * rng_.uniform(0.7, 1.3), b);
+  for (const std::uint32_t b : todo) {
+    const double area = p_.data.bodies[b].area;
+    order.emplace_back(-area * (n > kMany ? 1 : rng_.uniform(0.7, 1.3)), b);
+  }
   std::ranges::sort(order);
   placer_->reset(placed);
   const int tries = n > kMany ? 16 : 32;
