@@ -33,6 +33,9 @@ struct TermTraits {
   double gamma = 1;
 };
 
+/// Radians: a smaller error turns nobody. Sines and cosines are not free.
+constexpr double kStill = 1e-9;
+
 /// A sink that moves particles at once (Gauss–Seidel).
 struct Direct {
   State& x;

@@ -12,7 +12,7 @@ struct OrientationTerm : Term {
   Anchor a, to;
   double angle = 0;
   bool parallel = false;
-  static constexpr TermTraits kTraits{.schedule = pbd::Schedule::constant, .angular = true};
+  static constexpr TermTraits kTraits{.schedule = pbd::Schedule::constant, .angular = true, .stiffness = 1};
 };
 
 inline double error(const OrientationTerm& c, const State& x) {
@@ -25,7 +25,7 @@ template <class Sink>
 void project(const OrientationTerm& c, const State& x, double k, Sink& sink) {
   if (!x.turns(c.a)) return;
   const double e = error(c, x);
-  if (e != 0) sink.turn(c.a, -k * e);
+  if (std::abs(e) > kStill) sink.turn(c.a, -k * e);
 }
 
 template <class F>

@@ -21,18 +21,20 @@ struct TrafficLaneTerm : Term {
 namespace detail {
 struct LaneOffset {
   Vec2 n;          ///< from the lane to the member
-  double gap = 0;  ///< distance less clearance
+  double gap = 0;  ///< distance less clearance; 0 when that is positive
 };
 inline LaneOffset lane_offset(const TrafficLaneTerm& c, const State& x) {
   const Vec2 start = x.position(c.from), v = rotate(c.heading, x.front(c.from));
   const Vec2 p = x.position(c.member);
   const Vec2 r = p - (start + std::max(0.0, dot(p - start, v)) * v);
-  const double d = length(r);
+  const double square = dot(r, r);
+  if (square >= c.clearance * c.clearance) return {};  // most members, most of the time: no root
+  const double d = std::sqrt(square);
   return {d > 1e-9 ? (1 / d) * r : perp(v), d - c.clearance};
 }
 }  // namespace detail
 
-inline double error(const TrafficLaneTerm& c, const State& x) { return std::min(0.0, detail::lane_offset(c, x).gap); }
+inline double error(const TrafficLaneTerm& c, const State& x) { return detail::lane_offset(c, x).gap; }
 
 template <class Sink>
 void project(const TrafficLaneTerm& c, const State& x, double k, Sink& sink) {

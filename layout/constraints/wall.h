@@ -58,7 +58,7 @@ template <class Sink>
 void project(const WallOrientationTerm& c, const State& x, double k, Sink& sink) {
   if (!x.turns(c.a)) return;
   const double e = error(c, x);
-  if (e != 0) sink.turn(c.a, -k * e);
+  if (std::abs(e) > kStill) sink.turn(c.a, -k * e);
 }
 
 template <class F>
