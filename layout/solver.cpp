@@ -8,12 +8,15 @@ namespace {
 
 constexpr double kSoftRate = 10;     ///< M of the decreasing schedule: soft constraints act fully for about ten iterations
 constexpr double kHardRate = 1;      ///< M of the increasing schedule
-constexpr int kStall = 8;            ///< iterations without less overlap before a relocation
+constexpr int kStall = 8;             ///< iterations without clearly less overlap before a relocation
+constexpr double kProgress = 0.85;    ///< what counts as clearly less: creeping on costs more than moving somebody
 constexpr double kImprovement = 1e-3;  ///< an energy lower by less than this share is no improvement (as TVCG 4.3 stops its annealing)
 constexpr double kSettled = 1e-3;    ///< residual that nobody sees: 1 mm, 0.06 degrees
 constexpr double kVisible = 2e-3;    ///< root mean square change of all residuals that nobody sees: 2 mm, 0.1 degrees
 constexpr int kWindow = 5;           ///< iterations over which a settled layout's energy stays within that change
 constexpr int kRefinements = 12;     ///< relocations that look for a better energy once a layout is feasible
+constexpr int kSettling = 6;         ///< iterations after each
+constexpr int kFruitless = 3;        ///< so many without success end the search
 constexpr double kGood = 0.03;       ///< root mean square residual that needs none: 3 cm, 1.7 degrees
 constexpr int kPolishEvery = 10;
 constexpr double kPolishable = 0.1;  ///< metres: deeper overlaps take more than a polish
@@ -345,18 +348,20 @@ void Solver::relocate_few(const std::vector<double>& load) {
 /// with neighbours, and keeps what comes out better.
 void Solver::refine(int& iteration) {
   const double good = kGood * std::sqrt(total_gamma());
-  for (int round = 0; round < kRefinements && best_score_.energy > good && !cancelled(); ++round) {
+  for (int round = 0, fruitless = 0; round < kRefinements && fruitless < kFruitless && best_score_.energy > good && !cancelled(); ++round) {
+    const double before = best_score_.energy;
     x_.bodies = best_.bodies, x_.boxes = best_.boxes, x_.frames = best_.frames;
     placer_->reset(std::vector<bool>(p_.data.bodies.size(), true));
     std::vector<double> load(p_.data.bodies.size());
     for (std::uint32_t b = 0; b < load.size(); ++b) load[b] = placer_->cost(b);
     relocate_few(load);
     schedule_ = 6;
-    for (int i = 0; i < kStall; ++i, ++iteration) {
+    for (int i = 0; i < kSettling; ++i, ++iteration) {
       iterate();
       keep(score());
     }
-    if (Score s = score(); !s.feasible() && s.worst < kPolishable) polish();
+    if (const Score s = score(); !s.feasible() && s.worst < kPolishable) polish();
+    fruitless = best_score_.energy < before * (1 - kImprovement) ? 0 : fruitless + 1;
   }
 }
 
@@ -385,7 +390,7 @@ Layout Solver::run(std::vector<TraceRow>* trace) {
     if (best_score_.feasible() != was_feasible) energy_mark = 1e300;
     ++since_energy, ++since_violation;
     if (best_score_.energy < energy_mark - std::max(visible, energy_mark * kImprovement)) energy_mark = best_score_.energy, since_energy = 0;
-    if (s.violation < 0.98 * violation_mark) violation_mark = s.violation, since_violation = 0;
+    if (s.violation < kProgress * violation_mark) violation_mark = s.violation, since_violation = 0;
     if (s.feasible() && s.slack < kSettled) break;
     // Overlaps that soft constraints keep opening fade only as 1 / l: see now and then whether they can be had at once.
     const bool tries_polish = !options_.paper && !s.feasible() && s.worst < kPolishable;
