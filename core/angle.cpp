@@ -4,7 +4,9 @@ namespace inhabit::core {
 
 SinCos sin_cos(double a) {
   // Nearest multiple of pi/2, subtracted in two parts so that the remainder keeps its bits.
-  const double n = std::floor(a * (2 / kPi) + 0.5);
+  // Rounded by conversion: without SSE 4.1 std::floor is a call.
+  const auto turns = static_cast<long long>(a * (2 / kPi) + (a < 0 ? -0.5 : 0.5));
+  const auto n = static_cast<double>(turns);
   const double r = (a - n * 0x1.921fb54400000p+0) - n * 0x1.0b4611a626331p-34;
   const double z = r * r;
   double s = 1.0 / 355687428096000.0;
@@ -24,7 +26,7 @@ SinCos sin_cos(double a) {
   c = c * z - 1.0 / 720.0;
   c = c * z + 1.0 / 24.0;
   c = 1 - (z * 0.5 - z * z * c);
-  switch (static_cast<long long>(n) & 3) {
+  switch (turns & 3) {
     case 0: return {s, c};
     case 1: return {c, -s};
     case 2: return {-s, -c};

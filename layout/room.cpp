@@ -21,7 +21,7 @@ Room::Room(const Ring& outline, const std::vector<Ring>& holes)
   for (std::size_t k = 0; k < n; ++k) {
     const Vec2 before = outline_[(k + n - 1) % n], a = outline_[k], b = outline_[(k + 1) % n];
     const Vec2 along = unit(b - a);
-    walls_.push_back({a, b, along, perp(along), length(b - a), cross(a - before, b - a) < 0});
+    walls_.push_back({a, b, along, perp(along), length(b - a), angle_of(perp(along)), cross(a - before, b - a) < 0});
   }
   for (const Ring& hole : holes) {
     for (Ring& part : convex_parts(hole)) {

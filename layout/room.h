@@ -13,6 +13,7 @@ struct Wall {
   Vec2 along;   ///< unit, from a to b
   Vec2 normal;  ///< unit, into the room
   double length = 0;
+  double angle = 0;     ///< of the normal, radians
   bool reflex = false;  ///< corner a is a reflex one
 };
 

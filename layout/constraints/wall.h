@@ -51,7 +51,7 @@ void project(const WallDistanceTerm& c, const State& x, double k, Sink& sink) {
 
 inline double error(const WallOrientationTerm& c, const State& x) {
   const WallPoint w = detail::wall_behind(c.a, c.half_depth, c.wall, x);
-  return wrap_angle(x.angle(c.a) - angle_of(x.room->walls()[w.wall].normal) - c.angle);
+  return wrap_angle(x.angle(c.a) - x.room->walls()[w.wall].angle - c.angle);
 }
 
 template <class Sink>
