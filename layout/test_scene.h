@@ -1,4 +1,5 @@
 #pragma once
+#include "core/rng.h"
 #include "layout/contacts.h"
 #include "layout/furnish.h"
 

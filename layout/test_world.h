@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 
+#include "core/rng.h"
 #include "layout/constraint.h"
 
 /// For tests only: a room, and particles put into it one by one.

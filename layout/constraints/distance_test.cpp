@@ -92,7 +92,7 @@ TEST_CASE("distance: a document's constraints become one term per pair") {
   CHECK(terms[0].low == 0);
   CHECK(terms[0].high == 1);
   CHECK(terms[0].gamma == 7);
-  CHECK(ready.problem.slots[terms[0].slot] == StiffnessSlot{pbd::Schedule::decreasing, 0.25});
+  CHECK(ready.problem.slots[terms[0].slot] == StiffnessSlot{inhabit::pbd::Schedule::decreasing, 0.25});
   CHECK(terms[1].low == 2);
   CHECK(terms[1].high == 1e300);
   CHECK(terms[1].b_pinned);
