@@ -48,6 +48,14 @@ TEST_CASE("boundary: a reflex corner inside the box pushes it out through the ne
   CHECK(deepest(room, {{1.5, 1.9}, {1, 0}, 0.5, 0.5}) < 1e-15);
 }
 
+TEST_CASE("boundary: a reflex corner on a face of the box is not free while a wall still crosses it") {
+  const Room room({{0, 0}, {8, 0}, {8, 4}, {4, 4}, {4, 8}, {0, 8}}, {});
+  const Box box{{3.481400271, 4.577263786}, direction(1.826903), 0.689805, 0.488948};
+  CHECK_FALSE(room.contains(box.corners()[0]));
+  CHECK(deepest(room, box) > 0.03);
+  CHECK(deepest(room, pushed(room, box)) < 1e-12);
+}
+
 TEST_CASE("boundary: a box wholly outside comes in over the nearest wall") {
   const Room room(l_shape(), {});
   CHECK(length(pushed(room, {{3, -5}, {1, 0}, 0.5, 0.5}).center - Vec2{3, 0.5}) < 1e-14);
@@ -83,7 +91,8 @@ TEST_CASE("boundary: projected again and again a box ends inside every kind of r
       stuck += deepest(rooms[r], box) > 1e-6;
       CHECK(std::isfinite(box.center.x + box.center.y));
       // What the constraint calls satisfied is inside.
-      if (deepest(rooms[r], box) <= 1e-6) CHECK_FALSE(reaches_out(rooms[r], {box.center, box.front, box.half_depth * 0.999, box.half_width * 0.999}));
+      const Box inner{box.center, box.front, box.half_depth * 0.999, box.half_width * 0.999};
+      if (deepest(rooms[r], box) <= 1e-6) CHECK_FALSE(reaches_out(rooms[r], inner));
     }
   }
   // Pushes of opposite walls may trap one in a corner that is too narrow for it: rare.
