@@ -84,12 +84,21 @@ TEST_CASE("curve: the point at a length along it lies on it") {
 
 TEST_CASE("curve: the parameter of an arc grows from its start whichever way that points") {
   for (const double turn : {0.0, 1.0, 2.5, 4.0, 6.0}) {
-    double last = -1;
-    for (double a = 0; a < 6.28; a += 0.1) {
+    double last = 0;
+    for (double a = 0.1; a < 6.28; a += 0.1) {
       const double t = detail::turn_order(3 * direction(wrap_angle(turn + a)), direction(wrap_angle(turn)));
-      if (a > 0) CHECK(t > last);
+      CHECK(t > last);
       last = t;
     }
+  }
+}
+
+TEST_CASE("curve: what lies on the ray through an arc's start comes first and never last") {
+  inhabit::core::Rng rng(5);
+  for (int n = 0; n < 1000; ++n) {
+    const Vec2 r = rng.uniform(0.1, 9) * direction(rng.uniform(-kPi, kPi));
+    const detail::PlacedCurve c(arc(r, rotate(r, direction(rng.uniform(0.1, 3)))));
+    CHECK(detail::nearest_on_curve(c, rng.uniform(0.1, 3) * r).parameter < 1e-12);
   }
 }
 
