@@ -16,6 +16,7 @@ struct Missing : std::false_type {};
 /// What a type must specialise:
 ///   kName; kPairs: has a pair form; kHalf: what is left of the error after half a step of a simple instance
 ///   random(world, rng, scale, form): a term over particles that it adds to the world
+///   tied(term, world), if the result may depend on the order of particles: true when it does
 ///   satisfy(term, world): changes parameters or places so that C = 0; false when this instance cannot be
 template <class T>
 struct Instances {
@@ -161,6 +162,15 @@ struct Instances<CurveTerm> {
     if (rng.uniform() < 0.3) w.x.frames[c.group] = {{rng.uniform(-scale, scale), rng.uniform(-scale, scale)}, heading(rng)};
     return c;
   }
+  /// Members beyond one end of the curve share its parameter; then their places in the list and their numbers decide.
+  static bool tied(const CurveTerm& c, const World& w) {
+    if (!c.spacing) return false;
+    const detail::PlacedCurve curve = detail::placed_curve(c, w.x);
+    std::vector<double> parameters;
+    for (const Anchor& m : c.members) parameters.push_back(detail::nearest_on_curve(curve, w.x.position(m)).parameter);
+    std::ranges::sort(parameters);
+    return std::ranges::adjacent_find(parameters) != parameters.end();
+  }
   static bool satisfy(CurveTerm& c, World& w) {
     c.spacing.reset();
     if (c.curve.medial_axis) return false;
@@ -226,8 +236,9 @@ struct Instances<WallDistanceTerm> {
     WallDistanceTerm c;
     c.a = anchor(w, rng, scale, form, false);
     c.half_depth = form == Form::simple ? 0 : rng.uniform(0, scale);
-    // Nearer than a quarter of the room no other wall gets in between.
-    c.distance = rng.uniform(0, form == Form::simple ? 2 : 6) * scale;
+    c.distance = rng.uniform(0, 6 * scale);
+    // Away from one wall may be towards another; towards the nearest one there is no other in between.
+    if (form == Form::simple) c.distance = rng.uniform() * w.room().nearest_wall(w.x.position(c.a)).distance;
     if (form == Form::any && rng.uniform() < 0.3) c.wall = static_cast<int>(rng.index(4));
     return c;
   }

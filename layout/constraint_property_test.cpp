@@ -40,6 +40,13 @@ bool finite(const State& x) {
 /// What rounding may do: some units in the last place of coordinates of ten scales and of headings.
 double rounding(double scale) { return 1e-13 * std::max(100 * scale, 10.0); }
 
+/// True when a documented tie makes the order of the particles matter.
+template <class T>
+bool tied(const T& term, const World& w) {
+  if constexpr (requires { Instances<T>::tied(term, w); }) return Instances<T>::tied(term, w);
+  return false;
+}
+
 /// The same world with its particles in another order.
 World permuted(const World& w, const std::vector<std::uint32_t>& to) {
   World out(w.room().outline());
@@ -123,6 +130,7 @@ TEST_CASE("every term: half a step halves what is linear") {
 
 TEST_CASE("every term: permuting the particles permutes the result") {
   for_each_instance(Form::any, [](const auto& term, World& w, double scale) {
+    if (tied(term, w)) return;
     const auto n = static_cast<std::uint32_t>(w.x.bodies.size());
     std::vector<std::uint32_t> to(n);
     for (std::uint32_t b = 0; b < n; ++b) to[b] = n - 1 - b;
@@ -143,6 +151,7 @@ TEST_CASE("every term: permuting the particles permutes the result") {
 TEST_CASE("every term: the order of the members in the list does not matter") {
   for_each_instance(Form::any, [](const auto& term, World& w, double scale) {
     if constexpr (requires { term.members; }) {
+      if (tied(term, w)) return;
       auto turned = term;
       std::ranges::reverse(turned.members);
       if constexpr (requires { turned.masses; }) std::ranges::reverse(turned.masses);
