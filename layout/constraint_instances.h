@@ -6,8 +6,8 @@
 /// For tests only: random instances of every term type. A type in TermTypes without Instances<T> does not compile.
 namespace inhabit::layout::testing {
 
-/// any: everything that may occur, groups, riders and pinned particles too. simple: one projection at k = 1 satisfies it.
-/// pair: between two movable particles of equal mass.
+/// any: everything that may occur, groups, riders and pinned particles too. simple: one projection at k = 1 satisfies
+/// it. pair: between two movable particles of equal mass.
 enum class Form { any, simple, pair };
 
 template <class T>
@@ -20,8 +20,9 @@ struct Missing : std::false_type {};
 ///   satisfy(term, world): changes parameters or places so that C = 0; false when this instance cannot be
 template <class T>
 struct Instances {
-  static_assert(Missing<T>::value, "a term type in TermTypes lacks its random instances: specialise Instances<T> in "
-                                   "layout/constraint_instances.h, so that the property tests cover it");
+  static_assert(Missing<T>::value,
+                "a term type in TermTypes lacks its random instances: specialise Instances<T> in "
+                "layout/constraint_instances.h, so that the property tests cover it");
 };
 
 namespace detail_of_instances {
@@ -92,7 +93,9 @@ struct Instances<CenterTerm> {
     using namespace detail_of_instances;
     CenterTerm c;
     const double which = form == Form::pair ? 0.5 : rng.uniform();
-    c.target = which < 0.4 ? CenterTerm::Target::point : which < 0.8 ? CenterTerm::Target::front_ray : CenterTerm::Target::room;
+    c.target = which < 0.4   ? CenterTerm::Target::point
+               : which < 0.8 ? CenterTerm::Target::front_ray
+                             : CenterTerm::Target::room;
     c.point = somewhere(rng, scale);
     if (c.target == CenterTerm::Target::front_ray || (which < 0.2)) c.on = anchor(w, rng, scale, form);
     c.on_fixed = c.target != CenterTerm::Target::front_ray || (form != Form::pair && rng.uniform() < 0.5);
@@ -145,7 +148,8 @@ struct Instances<CurveTerm> {
     using namespace detail_of_instances;
     CurveTerm c;
     const std::uint32_t n = 1 + rng.index(6);
-    // Groups have no place on a curve of their own, and neighbours on one particle cannot part: riders on different ones.
+    // Groups have no place on a curve of their own, and neighbours on one particle cannot part: riders on different
+    // ones.
     for (std::uint32_t i = 0; i < n; ++i) c.members.push_back(anchor(w, rng, scale, form, false));
     c.group = w.group(c.members).index();
     const double which = rng.uniform();
@@ -159,7 +163,8 @@ struct Instances<CurveTerm> {
       c.curve.end = c.curve.center + rotate(c.curve.start - c.curve.center, direction(heading(rng)));
     }
     if (form == Form::any && rng.uniform() < 0.5) c.spacing = rng.uniform(0, 3 * scale);
-    if (rng.uniform() < 0.3) w.x.frames[c.group] = {{rng.uniform(-scale, scale), rng.uniform(-scale, scale)}, heading(rng)};
+    if (rng.uniform() < 0.3)
+      w.x.frames[c.group] = {{rng.uniform(-scale, scale), rng.uniform(-scale, scale)}, heading(rng)};
     return c;
   }
   /// Members beyond one end of the curve share its parameter; then their places in the list and their numbers decide.

@@ -3,8 +3,8 @@
 #include "core/rng.h"
 #include "layout/constraint_instances.h"
 
-/// What every term type promises (style-guide.md 8), over thousands of random instances of each. An instance is named by
-/// its type and number: Rng(kSeed, number).
+/// What every term type promises (style-guide.md 8), over thousands of random instances of each. An instance is named
+/// by its type and number: Rng(kSeed, number).
 using namespace inhabit::layout;
 using namespace inhabit::layout::testing;
 

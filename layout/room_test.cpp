@@ -84,8 +84,10 @@ TEST_CASE("boundary: projected again and again a box ends inside every kind of r
       CAPTURE(n);
       Rng rng(11, n);
       const Bounds b = rooms[r].extent();
-      Box box{{rng.uniform(b.min.x, b.max.x), rng.uniform(b.min.y, b.max.y)}, direction(rng.uniform(-kPi, kPi)),
-              rng.uniform(0.1, 0.7), rng.uniform(0.1, 0.7)};
+      Box box{{rng.uniform(b.min.x, b.max.x), rng.uniform(b.min.y, b.max.y)},
+              direction(rng.uniform(-kPi, kPi)),
+              rng.uniform(0.1, 0.7),
+              rng.uniform(0.1, 0.7)};
       for (int i = 0; i < 100 && deepest(rooms[r], box) > 1e-6; ++i) box = pushed(rooms[r], box);
       ++cases;
       stuck += deepest(rooms[r], box) > 1e-6;

@@ -24,7 +24,8 @@ Layout solved(const Scene& scene, const Options& options = one()) {
 /// A living room that is right as it stands: sofa and television at opposite walls, a table between, two plants.
 Scene good_room() {
   Scene scene = empty_room(5, 4);
-  const Ref sofa = add(scene, "sofa", {2, 0.9, 0.8}, {2.5, 0.45}), tv = add(scene, "tv", {1.2, 0.4, 0.5}, {2.5, 3.8}, -90);
+  const Ref sofa = add(scene, "sofa", {2, 0.9, 0.8}, {2.5, 0.45}),
+            tv = add(scene, "tv", {1.2, 0.4, 0.5}, {2.5, 3.8}, -90);
   const Ref table = add(scene, "table", {1, 0.6, 0.4}, {2.5, 1.7});
   add(scene, "plant-1", {0.4, 0.4, 1}, {0.3, 0.3}), add(scene, "plant-2", {0.4, 0.4, 1}, {4.7, 3.7});
   WallDistance wall;
@@ -137,7 +138,8 @@ TEST_CASE("pinned: without positions keeps what is pinned and a fixed object wit
 TEST_CASE("rigid groups keep their shape to the nanometre and nested ones move as one") {
   Scene scene = empty_room(7, 7);
   const Ref table = add(scene, "table", {1, 1, 0.7}, {10, 10}, 0), c1 = add(scene, "c1", {0.4, 0.4, 0.9}, {9, 10}, 0);
-  const Ref c2 = add(scene, "c2", {0.4, 0.4, 0.9}, {11, 10}, 180), lamp = add(scene, "lamp", {0.3, 0.3, 2}, {10, 11.5}, 30);
+  const Ref c2 = add(scene, "c2", {0.4, 0.4, 0.9}, {11, 10}, 180),
+            lamp = add(scene, "lamp", {0.3, 0.3, 2}, {10, 11.5}, 30);
   const Ref inner = add_group(scene, "inner", {c1, c2}), outer = add_group(scene, "outer", {table, inner, lamp}, true);
   add(scene, "crate", {2, 2, 1});
   WallDistance wall;
@@ -153,7 +155,8 @@ TEST_CASE("rigid groups keep their shape to the nanometre and nested ones move a
       const auto& o = l.placement.objects;
       const double turn = wrap_angle(o[0].angle - *scene.objects[0].angle);
       for (const Ref r : list) {
-        const Vec2 want = rotate(scene.objects[r.index].position->xy() - scene.objects[0].position->xy(), direction(turn));
+        const Vec2 want =
+            rotate(scene.objects[r.index].position->xy() - scene.objects[0].position->xy(), direction(turn));
         CHECK(length(o[r.index].position.xy() - o[0].position.xy() - want) < 1e-9);
         CHECK(std::abs(wrap_angle(o[r.index].angle - *scene.objects[r.index].angle - turn)) < 1e-9);
       }
@@ -192,7 +195,8 @@ TEST_CASE("a group that is not rigid is moved as one by constraints on it") {
   const auto& o = l.placement.objects;
   const Vec2 step = o[0].position.xy() - scene.objects[0].position->xy();
   CHECK(length(step) > 3);
-  for (const std::size_t i : {1u, 2u}) CHECK(length(o[i].position.xy() - scene.objects[i].position->xy() - step) < 1e-9);
+  for (const std::size_t i : {1u, 2u})
+    CHECK(length(o[i].position.xy() - scene.objects[i].position->xy() - step) < 1e-9);
   const Vec2 center = (1.0 / 3) * (o[0].position.xy() + o[1].position.xy() + o[2].position.xy());
   CHECK(std::abs(length(center - Vec2{9, 9}) - 4) < 0.01);
 }

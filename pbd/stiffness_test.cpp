@@ -45,7 +45,8 @@ TEST_CASE("stiffness: monotone in the iteration and in k0 and never outside noug
   for (const double rate : {1.0, 2.5, 10.0}) {
     for (double k0 = 0; k0 <= 1; k0 += 0.0625) {
       for (int l = 1; l < 300; ++l) {
-        const double down = stiffness(Schedule::decreasing, k0, rate, l), up = stiffness(Schedule::increasing, k0, rate, l);
+        const double down = stiffness(Schedule::decreasing, k0, rate, l),
+                     up = stiffness(Schedule::increasing, k0, rate, l);
         CHECK((down >= 0 && down <= 1 && up >= 0 && up <= 1));
         CHECK(stiffness(Schedule::decreasing, k0, rate, l + 1) <= down);
         CHECK(stiffness(Schedule::increasing, k0, rate, l + 1) >= up);

@@ -9,10 +9,10 @@
 #include "layout/furnish.h"
 #include "session/paper_scenes.h"
 
-/// Same input, seed and build: same bits, at any number of threads and at any optimisation. This file is built twice, the
-/// second time with the solver at -O0 (tests/CMakeLists.txt); both compare with tests/golden_layouts.txt, whose lines say
-/// `scene digest`. When the solver has changed on purpose: `cmake --build build/release --target update_golden`, and say in
-/// the change why the layouts differ.
+/// Same input, seed and build: same bits, at any number of threads and at any optimisation. This file is built twice,
+/// the second time with the solver at -O0 (tests/CMakeLists.txt); both compare with tests/golden_layouts.txt, whose
+/// lines say `scene digest`. When the solver has changed on purpose: `cmake --build build/release --target
+/// update_golden`, and say in the change why the layouts differ.
 using namespace inhabit;
 using namespace inhabit::layout;
 
@@ -28,7 +28,8 @@ Options two_starts(int threads, std::uint64_t seed = 1) {
 
 std::uint64_t digest(const Placement& p) {
   core::Digest d;
-  for (const Placement::Spot& o : p.objects) d.add(o.position.x), d.add(o.position.y), d.add(o.position.z), d.add(o.angle);
+  for (const Placement::Spot& o : p.objects)
+    d.add(o.position.x), d.add(o.position.y), d.add(o.position.z), d.add(o.angle);
   for (const Pose& g : p.groups) d.add(g.p.x), d.add(g.p.y), d.add(g.angle);
   return d.value();
 }

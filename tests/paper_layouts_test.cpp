@@ -18,7 +18,8 @@ TEST_CASE("paper scenes: the solver calls feasible what the check calls feasible
     REQUIRE(outcome.ok());
     const CheckReport report = check(with_placement(scene, outcome->best.placement));
     for (std::size_t i = 0; i < std::min<std::size_t>(3, report.overlaps.size()); ++i)
-      MESSAGE(paper.name, ": ", report.overlaps[i].a, " and ", report.overlaps[i].b, " overlap by ", report.overlaps[i].depth);
+      MESSAGE(paper.name, ": ", report.overlaps[i].a, " and ", report.overlaps[i].b, " overlap by ",
+              report.overlaps[i].depth);
     for (std::size_t i = 0; i < std::min<std::size_t>(3, report.outside.size()); ++i)
       MESSAGE(paper.name, ": ", report.outside[i].id, " is outside by ", report.outside[i].depth);
     CHECK(outcome->best.feasible == report.feasible);

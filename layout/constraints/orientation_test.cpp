@@ -12,9 +12,7 @@ namespace {
 struct Pair {
   World w;
   OrientationTerm c;
-  Pair(double angle, Vec2 to, double to_angle = 0) {
-    c.a = w.add({5, 5}, angle), c.to = w.add(to, to_angle);
-  }
+  Pair(double angle, Vec2 to, double to_angle = 0) { c.a = w.add({5, 5}, angle), c.to = w.add(to, to_angle); }
   double heading() const { return projected(c, w.x).angle(c.a); }
 };
 
