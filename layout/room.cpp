@@ -1,6 +1,7 @@
 #include "layout/room.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace inhabit::layout {
 namespace {
@@ -76,7 +77,8 @@ WallPoint Room::nearest_wall(Vec2 p, std::optional<int> only) const {
   return best;
 }
 
-Separation Room::wall_push(const Box& box, const Wall& wall, bool next_reflex) const {
+Separation Room::wall_push(const Box& box, std::size_t k) const {
+  const Wall& wall = walls_[k];
   // The part of the wall inside the box, by clipping it against the box's two slabs.
   const Vec2 d = rotate_back(wall.b - wall.a, box.front), p = rotate_back(wall.a - box.center, box.front);
   double t0 = 0, t1 = 1;
@@ -90,14 +92,21 @@ Separation Room::wall_push(const Box& box, const Wall& wall, bool next_reflex) c
   }
   if (t0 >= t1) return {};
   Separation best{wall.normal, box.extent(wall.normal) - dot(box.center - wall.a, wall.normal)};
-  // A reflex corner inside the box may also leave through a face of the box.
-  for (const bool start : {true, false}) {
-    if (start ? !(wall.reflex && t0 == 0) : !(next_reflex && t1 == 1)) continue;
-    const Vec2 c = rotate_back((start ? wall.a : wall.b) - box.center, box.front);
-    const double fx = box.half_depth - std::abs(c.x), fy = box.half_width - std::abs(c.y);
-    if (fx > 0 && fx < best.depth) best = {c.x < 0 ? box.front : -box.front, fx};
-    if (fy > 0 && fy < best.depth) best = {c.y < 0 ? box.left() : -box.left(), fy};
-  }
+  // A reflex corner inside the box: the shortest way off the wedge behind it, which its other wall or a face of the box
+  // may show. A face does only when the whole wedge lies before it, or a wall would still cross the box.
+  const auto corner = [&](const Wall& other, Vec2 at, Vec2 d1, Vec2 d2) {
+    const Vec2 c = at - box.center;
+    const double past = box.extent(other.normal) + dot(c, other.normal);
+    if (past < best.depth) best = {other.normal, past};
+    for (const Vec2 face : {box.front, box.left(), -box.front, -box.left()}) {
+      if (dot(d1, face) < -1e-12 || dot(d2, face) < -1e-12) continue;
+      const double depth = box.extent(face) - dot(c, face);
+      if (depth > 0 && depth < best.depth) best = {-face, depth};
+    }
+  };
+  const Wall &before = walls_[(k + walls_.size() - 1) % walls_.size()], &after = walls_[(k + 1) % walls_.size()];
+  if (wall.reflex && t0 == 0) corner(before, wall.a, wall.along, -before.along);
+  if (after.reflex && t1 == 1) corner(after, wall.b, -wall.along, after.along);
   return best;
 }
 

@@ -64,8 +64,8 @@ class Room {
  private:
   template <class F>
   void concave_violations(const Box& box, F&& f) const;
-  /// The push that frees the box of one wall that cuts it; depth 0 when it does not.
-  Separation wall_push(const Box& box, const Wall& wall, bool next_reflex) const;
+  /// The push that frees the box of wall k that cuts it; depth 0 when it does not.
+  Separation wall_push(const Box& box, std::size_t k) const;
 
   Ring outline_;
   std::vector<Wall> walls_;
@@ -87,7 +87,7 @@ void Room::concave_violations(const Box& box, F&& f) const {
     const Wall& w = walls_[k];
     const double t = dot(box.center - w.a, w.along);
     if (t < -r || t > w.length + r || std::abs(dot(box.center - w.a, w.normal)) > r) continue;
-    const Separation s = wall_push(box, w, walls_[(k + 1) % walls_.size()].reflex);
+    const Separation s = wall_push(box, k);
     if (s.depth > 0) cut = true, f(s.normal, s.depth);
   }
   if (!cut && !geometry::contains(outline_, box.center)) {

@@ -96,8 +96,8 @@ inline OnCurve nearest_on_curve(const PlacedCurve& c, Vec2 p) {
   // Within the sweep: counter-clockwise of the start and clockwise of the end; for more than half a turn, either of them.
   const bool after_start = cross(c.r, v) >= 0, before_end = cross(v, c.e) >= 0;
   if (distance > 0 && (c.reflex ? after_start || before_end : after_start && before_end)) {
-    const Vec2 q = (c.radius / distance) * v;
-    return {c.center + q, turn_order(q, c.r)};
+    // Of v, not of the point: its cross product with r has the sign that was tested.
+    return {c.center + (c.radius / distance) * v, turn_order(v, c.r)};
   }
   const bool to_start = dot(v, c.r) >= dot(v, c.e);
   return {to_start ? c.start : c.end, turn_order(to_start ? c.r : c.e, c.r)};
