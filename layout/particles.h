@@ -97,7 +97,10 @@ struct State {
     return a.group() ? data->groups[a.index()].w : data->bodies[a.body].w;
   }
   double mass(const Anchor& a) const { return a.group() ? data->groups[a.index()].mass : data->bodies[a.body].mass; }
-  bool turns(const Anchor& a) const { return a.group() ? w(a) > 0 : data->bodies[a.body].turns; }
+  bool turns(const Anchor& a) const {
+    if (solo != kNobody && a.body != solo) return false;
+    return a.group() ? w(a) > 0 : data->bodies[a.body].turns;
+  }
 
   void shift(const Anchor& a, Vec2 d) {
     if (a.group()) return shift_group(a.index(), d);

@@ -379,7 +379,11 @@ Layout Solver::run(std::vector<TraceRow>* trace) {
   int iteration = 0, since_energy = 0, since_violation = 0, since_window = 0;
   double energy_mark = 1e300, violation_mark = 1e300, low = 1e300, high = 0;
   bool relocated = false;
-  while (iteration < limit && !cancelled()) {
+  // What is there already counts: a warm start may be as good as it gets.
+  const Score first = score();
+  keep(first);
+  const bool settled = !options_.paper && first.feasible() && first.slack < kSettled;
+  while (!settled && iteration < limit && !cancelled()) {
     iterate();
     ++iteration;
     const Score s = score();

@@ -64,7 +64,7 @@ TEST_CASE("warm start: what a solver found it does not rearrange") {
     const Scene again = with_placement(scene, first.placement);
     const Layout second = solved(again);
     CHECK(second.feasible);
-    CHECK(second.energy <= first.energy + 0.01);
+    CHECK(second.energy <= first.energy + 1e-9);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
       CAPTURE(scene.objects[i].id);
       CHECK(moved(again, second.placement, i) < 0.05);
