@@ -10,7 +10,7 @@ if [ $# -ne 3 ]; then
 fi
 inhabit=$1 home=$2/examples/3BedroomApartment.xml out=$3
 rooms=("Living room" "Bedroom #1")
-afresh=(--start placed --house-rules --seed 1)
+afresh=(--start placed --house-rules --starts 30 --seed 1)
 
 if [ ! -f "$home" ]; then
   echo "skipped: no example homes; tools/fetch_sweethome3d.sh build/sweethome3d fetches them"
