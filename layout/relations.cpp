@@ -100,7 +100,7 @@ void Relations::collect_off(const Scene& scene) {
         sets.push_back(it->second);
     }
     std::ranges::sort(sets);
-    sets.erase(std::ranges::unique(sets).begin(), sets.end());
+    sets.erase(std::unique(sets.begin(), sets.end()), sets.end());  // clang 14 cannot read ranges::unique
   }
 }
 

@@ -12,7 +12,6 @@ dir=$(cd "$1" && pwd)
 inside=com/eteks/sweethome3d/io/resources/examples
 
 if [ -f "$dir/sweethome3d.jar" ] && [ -f "$dir/examples/Studio.xml" ]; then
-  echo "$dir/examples: $(ls "$dir"/examples/*.xml | wc -l) homes"
   exit 0
 fi
 for tool in apt-get dpkg-deb python3; do
@@ -47,4 +46,4 @@ mkdir -p "$dir/examples"
 cp "$work"/examples/*.xml "$dir/examples/"
 cp "$jar" "$dir/sweethome3d.jar.part"
 mv "$dir/sweethome3d.jar.part" "$dir/sweethome3d.jar"
-echo "$dir/examples: $(ls "$dir"/examples/*.xml | wc -l) homes"
+echo "$dir/examples: $(find "$dir/examples" -name '*.xml' | wc -l) homes"

@@ -1,0 +1,8 @@
+# Every fuzz target: a line here, fuzz/<name>.cpp, and the examples it starts from in fuzz/corpus/<name>.
+set(INHABIT_FUZZ_TARGETS
+  scene
+  wkt
+  geojson
+  procthor
+  sweethome3d
+)
