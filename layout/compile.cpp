@@ -260,18 +260,20 @@ Status set_bases(const Scene& scene, Problem& p) {
         return invalid("/objects/" + std::to_string(i), "\"" + scene.objects[i].id + "\" stands on itself, by way of what carries it");
       chain.push_back(k);
       const Object& o = scene.objects[k];
-      if (o.position || carrier[k].kind != Ref::Kind::object) break;
+      if (o.position || o.elevation || carrier[k].kind != Ref::Kind::object) break;
       k = carrier[k].index;
     }
     for (auto k = chain.rbegin(); k != chain.rend(); ++k) {
       const Object& o = scene.objects[*k];
-      double z = o.position ? o.position->z : 0;
-      if (!o.position && carrier[*k].kind == Ref::Kind::object) {
+      double z = o.position ? o.position->z : o.elevation.value_or(0);
+      if (o.position || o.elevation) {
+        // Given.
+      } else if (carrier[*k].kind == Ref::Kind::object) {
         const std::size_t c = carrier[*k].index;
         z = p.base_of_object[c] + scene.objects[c].size.z;
-      } else if (!o.position && o.mount == Mount::ceiling) {
+      } else if (o.mount == Mount::ceiling) {
         z = std::max(0.0, scene.space.height - o.size.z);
-      } else if (!o.position && o.mount == Mount::wall) {
+      } else if (o.mount == Mount::wall) {
         z = std::max(0.0, std::min(1.2, scene.space.height - o.size.z));
       }
       p.base_of_object[*k] = std::max(0.0, z);

@@ -215,9 +215,11 @@ Score Solver::score() {
     }
   });
   if (p_.boundary) {
-    for (const Box& box : x_.boxes) {
+    for (std::uint32_t i = 0; i < x_.boxes.size(); ++i) {
+      // What cannot move stands as it is given.
+      if (p_.data.bodies[p_.data.boxes[i].body].w <= 0) continue;
       double deepest = 0;
-      p_.room.for_each_violation(box, [&](Vec2, double depth) { deepest = std::max(deepest, depth); });
+      p_.room.for_each_violation(x_.boxes[i], [&](Vec2, double depth) { deepest = std::max(deepest, depth); });
       s.violation += deepest;
       s.worst = std::max(s.worst, deepest);
       squares += p_.boundary_gamma * deepest * deepest;
@@ -266,6 +268,7 @@ std::vector<double> Solver::loads() const {
   std::vector<double> load(p_.data.bodies.size());
   contacts_.add_load(x_, load);
   for (std::uint32_t i = 0; i < x_.boxes.size() && p_.boundary; ++i) {
+    if (p_.data.bodies[p_.data.boxes[i].body].w <= 0) continue;
     double deepest = 0;
     p_.room.for_each_violation(x_.boxes[i], [&](Vec2, double depth) { deepest = std::max(deepest, depth); });
     load[p_.data.boxes[i].body] += deepest;
