@@ -6,7 +6,7 @@
 namespace inhabit::layout {
 namespace {
 
-constexpr double kGap = 0.03;    // metres between neighbours, and between a seat and its table
+constexpr double kGap = 0.03;    // metres between neighbours
 constexpr double kElbow = 0.08;  // between two seats
 
 /// One side of a table: towards `turn` from its centre, `half` away, with `length` to sit at.
@@ -19,9 +19,9 @@ struct Side {
   }
 };
 
-void place(const Side& side, const Vec3& seat, std::vector<Place>& places) {
+void place(const Side& side, const Vec3& seat, double gap, std::vector<Place>& places) {
   const Vec2 out = direction(side.turn), along = perp(out);
-  const double away = side.half + kGap + seat.y / 2;
+  const double away = side.half + gap + seat.y / 2;
   // Closer than the side's share where it is long: neighbours at one table talk to each other.
   const double step = std::min(side.length / static_cast<double>(side.count), 1.6 * seat.x);
   for (std::size_t i = 0; i < side.count; ++i) {
@@ -32,7 +32,7 @@ void place(const Side& side, const Vec3& seat, std::vector<Place>& places) {
 
 }  // namespace
 
-std::vector<Place> seats(const Vec3& table, const Vec3& seat, Sides sides, std::size_t count) {
+std::vector<Place> seats(const Vec3& table, const Vec3& seat, Sides sides, std::size_t count, double gap) {
   const double width = table.x, depth = table.y;
   std::array<Side, 4> all = {Side{0, depth / 2, width}, Side{kPi, depth / 2, width}, Side{kPi / 2, width / 2, depth},
                              Side{-kPi / 2, width / 2, depth}};
@@ -48,7 +48,7 @@ std::vector<Place> seats(const Vec3& table, const Vec3& seat, Sides sides, std::
   }
   std::vector<Place> places;
   for (const Side& side : all) {
-    if (side.count > 0) place(side, seat, places);
+    if (side.count > 0) place(side, seat, gap, places);
   }
   return places;
 }
@@ -56,6 +56,11 @@ std::vector<Place> seats(const Vec3& table, const Vec3& seat, Sides sides, std::
 std::vector<Place> flanks(const Vec3& thing, const Vec3& beside) {
   const double back = (beside.y - thing.y) / 2, aside = (thing.x + beside.x) / 2 + kGap;
   return {{{back, aside}, 0}, {{back, -aside}, 0}};
+}
+
+std::vector<Place> wings(const Vec3& sofa, const Vec3& chair) {
+  const double ahead = (sofa.y + chair.x) / 2 + 0.15, aside = (sofa.x + chair.y) / 2 - 0.1;
+  return {{{ahead, aside}, -kPi / 2}, {{ahead, -aside}, kPi / 2}};
 }
 
 Place before(const Vec3& thing, const Vec3& other, double gap) { return {{(thing.y + other.y) / 2 + gap, 0}, 0}; }

@@ -1,130 +1,17 @@
 #include "layout/house_rules.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
-#include <string_view>
 #include <vector>
 
 #include "layout/house_places.h"
+#include "layout/house_table.h"
 #include "scene/kind.h"
 
 namespace inhabit::layout {
 namespace {
 
-/// A thing's own wishes: its back at a wall or not, and free depth at its faces (front, back, left, right), metres.
-struct Stand {
-  std::string_view kind;
-  bool wall = false;
-  Clearance clearance;
-};
-
-constexpr std::array kStands = {
-    Stand{"bed", true, {0.4, 0, 0, 0}},
-    Stand{"bunk bed", true, {0.4, 0, 0, 0}},
-    Stand{"wardrobe", true, {0.6, 0, 0, 0}},
-    Stand{"dresser", true, {0.6, 0, 0, 0}},
-    Stand{"chest", true, {0.4, 0, 0, 0}},
-    Stand{"bookcase", true, {0.5, 0, 0, 0}},
-    Stand{"cupboard", true, {0.5, 0, 0, 0}},
-    Stand{"filing cabinet", true, {0.5, 0, 0, 0}},
-    Stand{"desk", true, {0.6, 0, 0, 0}},
-    Stand{"dressing table", true, {0.5, 0, 0, 0}},
-    Stand{"sofa", true, {0.4, 0, 0, 0}},
-    Stand{"tv stand", true, {0.5, 0, 0, 0}},
-    Stand{"kitchen cabinet", true, {0.6, 0, 0, 0}},
-    Stand{"counter", true, {0.6, 0, 0, 0}},
-    Stand{"fridge", true, {0.6, 0, 0, 0}},
-    Stand{"cooker", true, {0.6, 0, 0, 0}},
-    Stand{"dishwasher", true, {0.6, 0, 0, 0}},
-    Stand{"washing machine", true, {0.6, 0, 0, 0}},
-    Stand{"chest freezer", true, {0.5, 0, 0, 0}},
-    Stand{"sink", true, {0.6, 0, 0, 0}},
-    Stand{"kitchen island", false, {0.6, 0, 0, 0}},
-    Stand{"washbasin", true, {0.5, 0, 0, 0}},
-    Stand{"toilet", true, {0.5, 0, 0, 0}},
-    Stand{"bidet", true, {0.5, 0, 0, 0}},
-    Stand{"bath", true, {0, 0, 0, 0}},
-    Stand{"shower", true, {0.4, 0, 0, 0}},
-    Stand{"piano", true, {0.6, 0, 0, 0}},
-    Stand{"aquarium", true, {0.3, 0, 0, 0}},
-    Stand{"coat rack", true, {0.3, 0, 0, 0}},
-    Stand{"floor lamp", true, {}},
-    Stand{"plant", true, {}},
-    Stand{"trash can", true, {}},
-    Stand{"upper cabinet", true, {}},
-    Stand{"hood", true, {}},
-    Stand{"radiator", true, {}},
-    Stand{"mirror", true, {}},
-    Stand{"picture", true, {}},
-    Stand{"shelf", true, {}},
-    Stand{"wall lamp", true, {}},
-    Stand{"curtain", true, {}},
-    Stand{"toilet paper", true, {}},
-    Stand{"tv", true, {}},
-};
-
-/// How a thing seeks another one out.
-enum class Bond {
-  around,  ///< a seat at its edge, on any side
-  front,   ///< a seat at its front
-  flank,   ///< beside its back end, looking the same way
-  before,  ///< in front of its middle
-  circle,  ///< somewhere about it, looking at it
-  view     ///< looks at it from a distance
-};
-struct Seek {
-  std::string_view kind, other;
-  Bond bond = Bond::around;
-  std::size_t at_most = 100;  ///< so many to one of the others
-  double gap = 0;             ///< between the two, metres (`before`)
-  bool turned = false;        ///< looks back at it (`before`)
-};
-
-/// In order of preference: a chair takes the first row whose other exists and has room.
-constexpr std::array kSeeks = {
-    Seek{"office chair", "desk", Bond::front, 1},
-    Seek{"chair", "dining table", Bond::around, 8},
-    Seek{"chair", "table", Bond::around, 6},
-    Seek{"chair", "desk", Bond::front, 1},
-    Seek{"chair", "dressing table", Bond::front, 1},
-    Seek{"office chair", "table", Bond::front, 1},
-    Seek{"office chair", "dining table", Bond::front, 1},
-    Seek{"piano bench", "piano", Bond::front, 1},
-    Seek{"stool", "piano", Bond::front, 1},
-    Seek{"stool", "counter", Bond::front, 6},
-    Seek{"stool", "kitchen island", Bond::front, 6},
-    Seek{"stool", "dressing table", Bond::front, 1},
-    Seek{"stool", "dining table", Bond::around, 4},
-    Seek{"stool", "table", Bond::around, 4},
-    Seek{"bench", "dining table", Bond::around, 2},
-    Seek{"coffee table", "sofa", Bond::before, 1, 0.4},
-    Seek{"sofa", "tv", Bond::view, 1},
-    Seek{"sofa", "tv stand", Bond::view, 1},
-    Seek{"sofa", "coffee table", Bond::circle, 3},
-    Seek{"armchair", "coffee table", Bond::circle, 4},
-    Seek{"armchair", "tv", Bond::view, 4},
-    Seek{"armchair", "tv stand", Bond::view, 4},
-    Seek{"ottoman", "armchair", Bond::before, 1, 0.1, true},
-    Seek{"ottoman", "sofa", Bond::before, 1, 0.1, true},
-    Seek{"side table", "sofa", Bond::flank, 2},
-    Seek{"side table", "armchair", Bond::flank, 1},
-    Seek{"bedside table", "bed", Bond::flank, 2},
-    Seek{"bedside table", "sofa", Bond::flank, 2},
-};
-
-/// What lies or hangs at the middle of another: rugs under furniture.
-struct Under {
-  std::string_view other;
-  double ahead = 0;  ///< so far in front of the other's centre, in its depths
-};
-constexpr std::array kUnderRugs = {Under{"coffee table"}, Under{"dining table"}, Under{"bed", 0.25}, Under{"sofa", 1},
-                                   Under{"desk", 0.5}};
-
-constexpr std::array<std::string_view, 7> kKitchenUnits = {"fridge", "kitchen cabinet", "sink",    "dishwasher",
-                                                           "cooker", "counter",         "cupboard"};
-
-constexpr double kLegroom = 0.35, kTalk = 0.9;      // between a coffee table and the seats about it, metres
+constexpr double kNear = 0.3;                       // between a table and who is about it, metres
 constexpr double kView = 1.2, kFarthestView = 4.5;  // of a television
 constexpr double kWish = 0.5;                       // stiffness of a wish that may give way
 constexpr double kWindowDepth = 0.15;               // that stays free of what would cover a window
@@ -181,17 +68,20 @@ class Rules {
   void stand() {
     WallDistance back;
     WallOrientation turned, square;
+    const Bounds room = bounds(scene_.space.outline);
     for (std::size_t i = 0; i < kinds_.size(); ++i) {
       Object& o = scene_.objects[i];
       if (!on_its_own(i) || trait(i) == KindTrait::flat || trait(i) == KindTrait::ceiling) continue;
       const auto row =
           std::find_if(kStands.begin(), kStands.end(), [&](const Stand& s) { return s.kind == kinds_[i]; });
       if (row != kStands.end() && !o.clearance.any()) o.clearance = row->clearance;
+      // In a hall the sofa stands where the television can be seen, not at the far wall.
+      const bool apart = viewers_[i] && std::min(room.size().x, room.size().y) > kFarthestView + 1;
       const bool at_wall = o.mount == Mount::wall || (row != kStands.end() ? row->wall && !roams(i) : !bound_[i]);
-      if (at_wall && !middle_[i]) {
+      if (at_wall && !middle_[i] && !apart) {
         back.members.list.push_back(ref(i));
         turned.members.list.push_back(ref(i));
-      } else if (middle_[i]) {
+      } else if (middle_[i] || apart) {
         square.members.list.push_back(ref(i));
       }
     }
@@ -207,10 +97,13 @@ class Rules {
   bool roams(std::size_t i) const { return bound_[i] && circles_[i]; }
 
   /// Every thing that seeks another gets the best one with room: the nearest where both have a place, else the
-  /// emptiest.
+  /// emptiest for its size.
   void seek() {
     middle_.assign(kinds_.size(), false), circles_.assign(kinds_.size(), false);
+    viewers_.assign(kinds_.size(), false);
     for (const Seek& rule : kSeeks) {
+      // With a sofa in the room the television is watched from there and from its sides.
+      if (rule.kind == "armchair" && rule.bond == Bond::view && any("sofa")) continue;
       std::map<std::size_t, std::vector<std::size_t>> gathered;
       for (std::size_t i = 0; i < kinds_.size(); ++i) {
         if (kinds_[i] != rule.kind || bound_[i] || !on_its_own(i)) continue;
@@ -222,6 +115,8 @@ class Rules {
       for (const auto& [other, members] : gathered) bind(rule, other, members);
     }
   }
+
+  bool any(std::string_view kind) const { return std::find(kinds_.begin(), kinds_.end(), kind) != kinds_.end(); }
 
   std::size_t choose(const Seek& rule, std::size_t i,
                      const std::map<std::size_t, std::vector<std::size_t>>& gathered) const {
@@ -235,7 +130,8 @@ class Rules {
       if (taken >= rule.at_most) continue;
       const Object &a = scene_.objects[i], &b = scene_.objects[k];
       const double cost =
-          a.position && b.position ? length(a.position->xy() - b.position->xy()) : 1e6 + static_cast<double>(taken);
+          a.position && b.position ? length(a.position->xy() - b.position->xy())
+                                   : 1e6 + static_cast<double>(taken + 1) / (b.size.x * b.size.y);
       if (cost < least) least = cost, best = k;
     }
     return best;
@@ -246,15 +142,18 @@ class Rules {
   }
   /// Those whom earlier rules have brought to the same side of it.
   std::size_t guests_of(std::size_t other, const Seek& rule) const {
-    if (rule.bond == Bond::view || rule.bond == Bond::circle) return 0;
+    if (rule.bond == Bond::view) return 0;
     const auto found = guests_.find({other, rule.bond});
     return found == guests_.end() ? 0 : found->second;
   }
 
   void bind(const Seek& rule, std::size_t other, std::vector<std::size_t> members) {
     for (const std::size_t i : members) leaders_[i] = other;
-    guests_[{other, rule.bond}] += members.size();
-    if (rule.bond == Bond::view || rule.bond == Bond::circle) return face(rule.bond, other, members);
+    std::size_t& guests = guests_[{other, rule.bond}];
+    const bool first = guests == 0;
+    guests += members.size();
+    // The places at a table are counted out once: stools come to where its chairs leave room.
+    if (rule.bond == Bond::view || !first) return face(first ? Bond::view : Bond::circle, other, members);
     const std::vector<Place> places = places_at(rule, other, members);
     for (const Place& place : places) {
       if (members.empty()) break;
@@ -276,6 +175,7 @@ class Rules {
     }
     switch (rule.bond) {
       case Bond::flank: return flanks(size, guest);
+      case Bond::wing: return wings(size, guest);
       case Bond::before: {
         Place place = before(size, guest, rule.gap);
         if (rule.turned) place.turn = kPi;
@@ -286,7 +186,7 @@ class Rules {
     // People sit on all sides of a table, at one side only when alone: its back is then free for a wall.
     const bool around = rule.bond == Bond::around;
     if (around && members.size() > 1) middle_[other] = true;
-    return seats(size, guest, around && members.size() > 1 ? Sides::around : Sides::front, members.size());
+    return seats(size, guest, around && members.size() > 1 ? Sides::around : Sides::front, members.size(), rule.gap);
   }
 
   /// How far a thing is from a place, if both are known.
@@ -321,10 +221,11 @@ class Rules {
       at.members.list = {ref(i)};
       at.focal_fixed = true;
       at.min = kView, at.max = kFarthestView;
+      viewers_[i] = bond == Bond::view;
       if (bond == Bond::circle) {
         circles_[i] = true;
         const double reach = scene_.objects[i].size.y / 2;
-        at.min = std::min(a.x, a.y) / 2 + reach + kLegroom, at.max = std::max(a.x, a.y) / 2 + reach + kTalk;
+        at.min = std::min(a.x, a.y) / 2 + reach, at.max = std::max(a.x, a.y) / 2 + reach + kNear;
       }
       scene_.constraints.add(at);
     }
@@ -421,9 +322,12 @@ class Rules {
       s.object = ref(i);
       s.on = o.on;
       s.anywhere = !screen;
+      s.weight = 20;  // nothing hangs over an edge where it could lie
       if (screen) has_screen[o.on.index] = true;
       scene_.constraints.add(s);
-      if (screen || kinds_[i] == "desktop computer") {
+      if (kinds_[o.on.index] == "bed" && words_of(o.kind, ' ').find("pillow") != std::string::npos) {
+        put(i, o.on.index, {{(o.size.y - scene_.objects[o.on.index].size.y) / 2 + 0.05, 0}, 0}, true);
+      } else if (screen || kinds_[i] == "desktop computer") {
         Orientation same;
         same.members.list = {ref(i)};
         same.to = o.on, same.relative = 1;
@@ -459,6 +363,11 @@ class Rules {
           put(i, k, {{under.ahead * scene_.objects[k].size.y, 0}, 0}, true);
         }
       }
+      if (laid) continue;
+      WallOrientation square;
+      square.members.list = {ref(i)};
+      square.stiffness = kWish, square.weight = 1;
+      scene_.constraints.add(square);
     }
   }
 
@@ -467,6 +376,7 @@ class Rules {
   std::vector<bool> free_, bound_;
   std::vector<bool> middle_;   ///< tables with people on all sides
   std::vector<bool> circles_;  ///< seats about something
+  std::vector<bool> viewers_;  ///< seats before a television
   std::map<std::size_t, std::size_t> leaders_;
   std::map<std::pair<std::size_t, Bond>, std::size_t> guests_;
   int depth_ = 0;
