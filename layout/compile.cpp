@@ -449,6 +449,18 @@ class BodyBuilder {
   std::vector<std::uint32_t> rigid_, bottom_;
 };
 
+void find_followers(Problem& p) {
+  p.followers.resize(p.data.bodies.size());
+  const auto follows = [&](const Anchor& upper, const Anchor& lower) {
+    if (upper.group() || lower.group() || upper.body == lower.body || p.data.bodies[upper.body].w <= 0) return;
+    p.followers[lower.body].push_back(upper.body);
+  };
+  for (const StackingTerm& c : p.of<StackingTerm>()) follows(c.upper, c.lower);
+  for (const CenterTerm& c : p.of<CenterTerm>()) {
+    if (c.on && c.target == CenterTerm::Target::point && c.members.size() == 1) follows(c.members.front(), *c.on);
+  }
+}
+
 /// Which terms and zones concern each body.
 void index_terms(Problem& p) {
   std::vector<std::vector<TermId>> lists(p.data.bodies.size());
@@ -498,6 +510,7 @@ Result<Problem> compile(const Scene& scene) {
   p.collision_slot = expansion.slot({pbd::Schedule::increasing, 0.8});
   expansion.run();
   index_terms(p);
+  find_followers(p);
   return p;
 }
 

@@ -250,7 +250,7 @@ class Rules {
           Distance next;
           next.between = {ref(last), ref(i)};
           next.max = (scene_.objects[last].size.x + scene_.objects[i].size.x) / 2 + 0.05;
-          next.stiffness = kWish;
+          next.stiffness = 0.2, next.weight = 0.3;  // a row breaks at every corner
           scene_.constraints.add(next);
         }
         last = i;

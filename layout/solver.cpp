@@ -343,6 +343,13 @@ void Solver::relocate_few(const std::vector<double>& load) {
       out.emplace_back(-p_.data.bodies[b].area * rng_.uniform(0.5, 2), b);
   }
   std::ranges::sort(out);
+  // Left behind, what stands on a table would hold it where it is.
+  const bool along = rng_.uniform() < 0.6;
+  for (std::size_t i = 0; i < out.size() && along; ++i) {
+    for (const std::uint32_t f : p_.followers[out[i].second]) {
+      if (std::ranges::none_of(out, [f](const auto& o) { return o.second == f; })) out.emplace_back(0, f);
+    }
+  }
   for (const auto& [key, b] : out) placer_->lift(b);
   for (const auto& [key, b] : out) placer_->place(b, rng_, 24);
 }
