@@ -90,14 +90,14 @@ Separation Room::wall_push(const Box& box, const Wall& wall, bool next_reflex) c
   }
   if (t0 >= t1) return {};
   Separation best{wall.normal, box.extent(wall.normal) - dot(box.center - wall.a, wall.normal)};
-  // A reflex corner inside the box may also leave through a face of the box: one that the wall does not lie before, or
-  // the rest of the wall would stay inside.
+  // A reflex corner inside the box may also leave through a face of the box: one that neither the
+  // wall lies before, or its rest would stay inside, nor leads out of the room.
   for (const bool start : {true, false}) {
     if (start ? !(wall.reflex && t0 == 0) : !(next_reflex && t1 == 1)) continue;
     const Vec2 c = rotate_back((start ? wall.a : wall.b) - box.center, box.front), rest = start ? d : -d;
     const double slip = 1e-9 * length(rest);
     const auto leave = [&](Vec2 face, double along, double ahead, double half) {
-      if (ahead > slip || along + half >= best.depth) return;
+      if (ahead > slip || dot(face, wall.normal) < -1e-9 || along + half >= best.depth) return;
       best = {face, along + half};
     };
     leave(box.front, c.x, rest.x, box.half_depth), leave(-box.front, -c.x, -rest.x, box.half_depth);
