@@ -69,6 +69,8 @@ std::string check_json(const CheckReport& r) {
   json["exempt_pairs"] = r.exempt_pairs;
   json["overlaps_exempt"] = r.overlaps_exempt;
   json["overlaps_rigid"] = r.overlaps_rigid;
+  json["overlaps_pinned"] = r.overlaps_pinned;
+  json["outside_pinned"] = r.outside_pinned;
   json["missing"] = r.missing;
   json["raster_cell"] = finite(r.raster_cell);
   if (r.published) json["published"] = published(*r.published);

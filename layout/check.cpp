@@ -99,11 +99,14 @@ CheckReport check(const Scene& scene, const CheckOptions& options) {
   report.overlap_count = overlaps.count;
   report.overlaps_exempt = overlaps.exempt;
   report.overlaps_rigid = overlaps.rigid;
+  report.overlaps_pinned = overlaps.pinned;
   report.exempt_pairs = solids.relations.pairs_off();
   for (const Object& object : scene.objects)
     if (!object.position) report.outside.push_back({object.id, std::numeric_limits<double>::infinity()});
   report.missing = report.outside.size();
-  for (auto& outside : find_outside(solids, options.threads)) report.outside.push_back(std::move(outside));
+  OutsideFindings outside = find_outside(solids, options.threads);
+  for (auto& found : outside.list) report.outside.push_back(std::move(found));
+  report.outside_pinned = outside.pinned;
   report.feasible = report.overlap_count == 0 && report.outside.empty();
 
   report.blocked_doors = find_blocked_doors(solids);

@@ -20,7 +20,7 @@ constexpr double kFeasibleDepth = 1e-3;
 constexpr double kPersonRadius = 0.25, kPersonHeight = 1.9, kStepHeight = 0.05, kPersonDepth = 0.6;
 
 struct CheckOptions {
-  bool all_collisions = false;  ///< list overlaps excused by a `collision` constraint or inside a rigid group, too
+  bool all_collisions = false;  ///< list the overlaps that are excused, too
   bool published = false;       ///< fill CheckReport::published
   int threads = 0;              ///< 0: all there are; never changes the result
 };
@@ -81,6 +81,8 @@ struct CheckReport {
   std::uint64_t exempt_pairs = 0;   ///< pairs that a `collision` constraint with mode off excuses
   std::size_t overlaps_exempt = 0;  ///< how many of those overlap; counted with `all_collisions`, too
   std::size_t overlaps_rigid = 0;   ///< overlaps inside rigid groups, whose shape the scene gives; likewise
+  std::size_t overlaps_pinned = 0;  ///< overlaps between things that cannot move; likewise
+  std::size_t outside_pinned = 0;   ///< things that cannot move and reach out of the room; not listed
   std::size_t missing = 0;          ///< objects without a position
   double raster_cell = 0;           ///< cell of the raster behind reachable and walkable_share, metres
   std::optional<PublishedMetrics> published;
@@ -90,8 +92,9 @@ struct CheckReport {
 /// an infinite depth, counts nowhere else, and leaves `constraints` and `energy` empty; without an angle it faces +x.
 /// - overlaps: never between an object and what carries it (`on`, stacking), be it through others or through groups;
 ///   and, unless all_collisions is set, none that a `collision` constraint with mode off excuses or within a rigid
-///   group.
-/// - outside: outside_depth of the box in plan; neither height nor ceiling counts.
+///   group, nor between two things that cannot move (fixed, locked in place, or rigidly grouped with such): they are
+///   taken as given, as a home's stairs reach through its walls and its built-in kitchen units into each other.
+/// - outside: outside_depth of the box in plan; neither height nor ceiling counts, nor does what cannot move.
 /// - blocked_doors: share of (quarter disc that the leaf sweeps, for `in`) and (a person's depth in front) that is
 /// covered
 ///   by something lower than the door and no step, or lies outside the room.

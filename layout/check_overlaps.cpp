@@ -35,8 +35,9 @@ OverlapFindings find_overlaps(const Solids& solids, bool all_collisions) {
     if (solids.relations.carried(a.object, b.object) || solids.relations.carried(b.object, a.object)) return;
     const bool off = solids.relations.collision_off(a.object, b.object);
     const bool rigid = !off && solids.relations.rigid_mates(a.object, b.object);
-    found.exempt += off, found.rigid += rigid;
-    if ((off || rigid) && !all_collisions) return;
+    const bool pinned = !off && !rigid && solids.relations.pinned(a.object) && solids.relations.pinned(b.object);
+    found.exempt += off, found.rigid += rigid, found.pinned += pinned;
+    if ((off || rigid || pinned) && !all_collisions) return;
     ++found.count;
     pairs.push_back({i, j, depth});
     if (pairs.size() >= 2 * kMostOverlaps) keep_deepest(pairs);
@@ -47,18 +48,24 @@ OverlapFindings find_overlaps(const Solids& solids, bool all_collisions) {
   return found;
 }
 
-std::vector<CheckReport::Outside> find_outside(const Solids& solids, int threads) {
+OutsideFindings find_outside(const Solids& solids, int threads) {
   std::vector<double> depth(solids.list.size());
   constexpr std::size_t kBlock = 256;
   core::parallel_for((depth.size() + kBlock - 1) / kBlock, threads, [&](std::size_t block) {
     const std::size_t end = std::min(depth.size(), (block + 1) * kBlock);
     for (std::size_t i = block * kBlock; i < end; ++i) depth[i] = outside_depth(solids.floor, solids.list[i].box);
   });
-  std::vector<CheckReport::Outside> list;
-  for (std::size_t i = 0; i < depth.size(); ++i)
-    if (depth[i] > kFeasibleDepth) list.push_back({solids.id(solids.list[i]), depth[i]});
-  std::ranges::stable_sort(list, [](const auto& x, const auto& y) { return x.depth > y.depth; });
-  return list;
+  OutsideFindings found;
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    if (depth[i] <= kFeasibleDepth) continue;
+    if (solids.relations.pinned(solids.list[i].object)) {
+      ++found.pinned;
+    } else {
+      found.list.push_back({solids.id(solids.list[i]), depth[i]});
+    }
+  }
+  std::ranges::stable_sort(found.list, [](const auto& x, const auto& y) { return x.depth > y.depth; });
+  return found;
 }
 
 }  // namespace inhabit::layout

@@ -10,12 +10,15 @@ constexpr std::size_t kMostOverlaps = 200000;
 
 struct OverlapFindings {
   std::vector<CheckReport::Overlap> list;  ///< deepest first
-  std::size_t count = 0, exempt = 0, rigid = 0;
+  std::size_t count = 0, exempt = 0, rigid = 0, pinned = 0;
 };
 OverlapFindings find_overlaps(const Solids& solids, bool all_collisions);
 
-/// Deepest first; without the missing objects.
-std::vector<CheckReport::Outside> find_outside(const Solids& solids, int threads);
+struct OutsideFindings {
+  std::vector<CheckReport::Outside> list;  ///< deepest first; without the missing objects
+  std::size_t pinned = 0;                  ///< not listed: what cannot move
+};
+OutsideFindings find_outside(const Solids& solids, int threads);
 
 std::vector<CheckReport::BlockedDoor> find_blocked_doors(const Solids& solids);
 std::vector<CheckReport::BlockedClearance> find_blocked_clearances(const Solids& solids, int threads);

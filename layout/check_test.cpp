@@ -313,3 +313,27 @@ TEST_CASE("a hundred thousand seats are checked in seconds and any number of thr
   CHECK(one.clearances.size() == two.clearances.size());
   CHECK(one.reachable.share == two.reachable.share);
 }
+
+TEST_CASE("what cannot move is taken as given: it is neither outside nor overlaps what cannot move either") {
+  Scene scene = room(4, 4);
+  const Ref stairs = add(scene, "stairs", {1, 2, 2.5}, {4, 2, 0});
+  const Ref unit = add(scene, "unit", {1, 1, 1}, {3.5, 2, 0});
+  CHECK(check(scene).outside.size() == 1);
+  scene.objects[stairs.index].fixed = true;
+  CheckReport r = check(scene);
+  CHECK(r.outside.empty());
+  CHECK(r.outside_pinned == 1);
+  CHECK(r.overlap_count == 1);
+  scene.objects[unit.index].lock = Lock::both;
+  r = check(scene);
+  CHECK(r.feasible);
+  CHECK(r.overlaps_pinned == 1);
+  CHECK(check(scene, {.all_collisions = true}).overlap_count == 1);
+  // Grouped rigidly with what is fixed is as good as fixed.
+  scene.objects[unit.index].lock = Lock::none;
+  scene.groups.push_back({"kitchen", {stairs, unit}, true});
+  add(scene, "bin", {0.3, 0.3, 0.5}, {0, 0.5, 0});
+  r = check(scene);
+  REQUIRE(r.outside.size() == 1);
+  CHECK(r.outside[0].id == "bin");
+}

@@ -260,18 +260,20 @@ Status set_bases(const Scene& scene, Problem& p) {
         return invalid("/objects/" + std::to_string(i), "\"" + scene.objects[i].id + "\" stands on itself, by way of what carries it");
       chain.push_back(k);
       const Object& o = scene.objects[k];
-      if (o.position || carrier[k].kind != Ref::Kind::object) break;
+      if (o.position || o.elevation || carrier[k].kind != Ref::Kind::object) break;
       k = carrier[k].index;
     }
     for (auto k = chain.rbegin(); k != chain.rend(); ++k) {
       const Object& o = scene.objects[*k];
-      double z = o.position ? o.position->z : 0;
-      if (!o.position && carrier[*k].kind == Ref::Kind::object) {
+      double z = o.position ? o.position->z : o.elevation.value_or(0);
+      if (o.position || o.elevation) {
+        // Given.
+      } else if (carrier[*k].kind == Ref::Kind::object) {
         const std::size_t c = carrier[*k].index;
         z = p.base_of_object[c] + scene.objects[c].size.z;
-      } else if (!o.position && o.mount == Mount::ceiling) {
+      } else if (o.mount == Mount::ceiling) {
         z = std::max(0.0, scene.space.height - o.size.z);
-      } else if (!o.position && o.mount == Mount::wall) {
+      } else if (o.mount == Mount::wall) {
         z = std::max(0.0, std::min(1.2, scene.space.height - o.size.z));
       }
       p.base_of_object[*k] = std::max(0.0, z);
@@ -447,6 +449,18 @@ class BodyBuilder {
   std::vector<std::uint32_t> rigid_, bottom_;
 };
 
+void find_followers(Problem& p) {
+  p.followers.resize(p.data.bodies.size());
+  const auto follows = [&](const Anchor& upper, const Anchor& lower) {
+    if (upper.group() || lower.group() || upper.body == lower.body || p.data.bodies[upper.body].w <= 0) return;
+    p.followers[lower.body].push_back(upper.body);
+  };
+  for (const StackingTerm& c : p.of<StackingTerm>()) follows(c.upper, c.lower);
+  for (const CenterTerm& c : p.of<CenterTerm>()) {
+    if (c.on && c.target == CenterTerm::Target::point && c.members.size() == 1) follows(c.members.front(), *c.on);
+  }
+}
+
 /// Which terms and zones concern each body.
 void index_terms(Problem& p) {
   std::vector<std::vector<TermId>> lists(p.data.bodies.size());
@@ -496,6 +510,7 @@ Result<Problem> compile(const Scene& scene) {
   p.collision_slot = expansion.slot({pbd::Schedule::increasing, 0.8});
   expansion.run();
   index_terms(p);
+  find_followers(p);
   return p;
 }
 

@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "core/parallel.h"
+#include "layout/relations.h"
 #include "layout/solver.h"
 
 namespace inhabit::layout {
@@ -44,6 +45,15 @@ void run_starts(const Problem& problem, const Options& options, int first, int c
     out.trace.insert(out.trace.end(), traces[i].begin(), traces[i].end());
   }
   out.cancelled = options.cancel != nullptr && options.cancel->requested();
+}
+
+/// True when its base is to be where it is without a carrier's top: it hangs, floats, or stands inside its carrier (on the
+/// seat of a chair, in a basin), with which it then does not collide.
+bool keeps_height(const Scene& scene, const Relations& relations, std::uint32_t i) {
+  const Object& o = scene.objects[i];
+  if (!o.position) return false;
+  if (o.on.none()) return o.mount != Mount::floor || o.position->z > 0;
+  return o.on.kind == Ref::Kind::object && relations.collision_off(i, o.on.index);
 }
 
 /// True when every movable thing has a position: the scene only has to settle.
@@ -113,9 +123,12 @@ Scene without_positions(Scene scene) {
   for (const Group& g : scene.groups) {
     if (g.rigid) mark(mark, g);
   }
-  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+  const Relations relations(scene);
+  for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
     Object& o = scene.objects[i];
-    if (o.fixed || shaped[i]) continue;
+    // What hangs from the ceiling is in nobody's way.
+    if (o.fixed || shaped[i] || o.mount == Mount::ceiling) continue;
+    if (keeps_height(scene, relations, i)) o.elevation = std::max(0.0, o.position->z);
     if (o.lock == Lock::none || o.lock == Lock::angle) o.position.reset();
     if (o.lock == Lock::none || o.lock == Lock::position) o.angle.reset();
   }

@@ -78,7 +78,8 @@ Result<std::vector<Layout>> suggest(const Scene& scene, const Options& options, 
 /// The scene with everything standing as placed.
 Scene with_placement(Scene scene, const Placement& placement);
 
-/// The scene without the positions and angles of what is neither fixed nor locked.
+/// The scene without the positions and angles of what is neither fixed nor locked nor hangs from the ceiling. Heights
+/// stay, as `elevation`: a picture hangs as high on its next wall.
 Scene without_positions(Scene scene);
 
 }  // namespace inhabit::layout

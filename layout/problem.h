@@ -49,6 +49,8 @@ struct Problem {
   /// Terms that read each body, as ranges of `touching`.
   std::vector<std::uint32_t> touching_first;
   std::vector<TermId> touching;
+  /// Who stands on each body, or has a place of its own beside it: they go along when it is taken elsewhere.
+  std::vector<std::vector<std::uint32_t>> followers;
   std::vector<std::vector<std::uint32_t>> zones_of_body;  ///< zones that ride on it
   std::vector<std::uint32_t> room_zones;                  ///< zones that ride on nobody
 

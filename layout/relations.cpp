@@ -41,6 +41,7 @@ std::vector<std::uint64_t> closure(std::vector<std::uint64_t> keys, const Pairs&
 
 Relations::Relations(const Scene& scene) {
   collect_groups(scene);
+  collect_pinned(scene);
   collect_pairs(scene);
   collect_off(scene);
 }
@@ -58,6 +59,21 @@ void Relations::collect_groups(const Scene& scene) {
     for (const Key k : closure({object_key(i)}, parents_)) selves_.push_back(k);
     first_self_.push_back(selves_.size());
   }
+}
+
+void Relations::collect_pinned(const Scene& scene) {
+  std::vector<bool> held(scene.groups.size());
+  const auto for_each_rigid = [&](std::uint32_t object, auto&& f) {
+    for (const Key k : selves(object))
+      if (is_group(k) && rigid_[index_of(k)]) f(index_of(k));
+  };
+  for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& o = scene.objects[i];
+    pinned_.push_back(o.fixed || o.lock == Lock::position || o.lock == Lock::both);
+    if (o.fixed || o.lock != Lock::none) for_each_rigid(i, [&](std::uint32_t g) { held[g] = true; });
+  }
+  for (std::uint32_t i = 0; i < scene.objects.size(); ++i)
+    for_each_rigid(i, [&](std::uint32_t g) { pinned_[i] = pinned_[i] || held[g]; });
 }
 
 void Relations::collect_pairs(const Scene& scene) {

@@ -21,6 +21,8 @@ class Relations {
   bool bound(std::uint32_t a, std::uint32_t b) const;
   /// Both are in one rigid group, however deep.
   bool rigid_mates(std::uint32_t a, std::uint32_t b) const;
+  /// It cannot move: fixed, locked in place, or in one rigid group with something that is.
+  bool pinned(std::uint32_t object) const { return pinned_[object]; }
   /// A `collision` constraint with mode off names both, or nobody.
   bool collision_off(std::uint32_t a, std::uint32_t b) const;
   /// Number of pairs of objects for which collision_off holds.
@@ -31,6 +33,7 @@ class Relations {
   using Pairs = std::vector<std::pair<Key, Key>>;
 
   void collect_groups(const Scene& scene);
+  void collect_pinned(const Scene& scene);
   void collect_pairs(const Scene& scene);
   void collect_off(const Scene& scene);
   /// The object itself and every group that it is in.
@@ -42,7 +45,7 @@ class Relations {
   Pairs members_;   ///< (group, member), sorted
   Pairs carriers_;  ///< (upper, lower), sorted
   Pairs bonds_;     ///< (smaller key, larger key), sorted
-  std::vector<bool> rigid_;
+  std::vector<bool> rigid_, pinned_;
   std::vector<Key> selves_;
   std::vector<std::size_t> first_self_;
   bool all_off_ = false;

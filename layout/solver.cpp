@@ -215,9 +215,11 @@ Score Solver::score() {
     }
   });
   if (p_.boundary) {
-    for (const Box& box : x_.boxes) {
+    for (std::uint32_t i = 0; i < x_.boxes.size(); ++i) {
+      // What cannot move stands as it is given.
+      if (p_.data.bodies[p_.data.boxes[i].body].w <= 0) continue;
       double deepest = 0;
-      p_.room.for_each_violation(box, [&](Vec2, double depth) { deepest = std::max(deepest, depth); });
+      p_.room.for_each_violation(x_.boxes[i], [&](Vec2, double depth) { deepest = std::max(deepest, depth); });
       s.violation += deepest;
       s.worst = std::max(s.worst, deepest);
       squares += p_.boundary_gamma * deepest * deepest;
@@ -266,6 +268,7 @@ std::vector<double> Solver::loads() const {
   std::vector<double> load(p_.data.bodies.size());
   contacts_.add_load(x_, load);
   for (std::uint32_t i = 0; i < x_.boxes.size() && p_.boundary; ++i) {
+    if (p_.data.bodies[p_.data.boxes[i].body].w <= 0) continue;
     double deepest = 0;
     p_.room.for_each_violation(x_.boxes[i], [&](Vec2, double depth) { deepest = std::max(deepest, depth); });
     load[p_.data.boxes[i].body] += deepest;
@@ -340,6 +343,13 @@ void Solver::relocate_few(const std::vector<double>& load) {
       out.emplace_back(-p_.data.bodies[b].area * rng_.uniform(0.5, 2), b);
   }
   std::ranges::sort(out);
+  // Left behind, what stands on a table would hold it where it is.
+  const bool along = rng_.uniform() < 0.6;
+  for (std::size_t i = 0; i < out.size() && along; ++i) {
+    for (const std::uint32_t f : p_.followers[out[i].second]) {
+      if (std::ranges::none_of(out, [f](const auto& o) { return o.second == f; })) out.emplace_back(0, f);
+    }
+  }
   for (const auto& [key, b] : out) placer_->lift(b);
   for (const auto& [key, b] : out) placer_->place(b, rng_, 24);
 }

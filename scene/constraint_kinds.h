@@ -69,11 +69,13 @@ struct HeatPoint : Strength {
   Members members;
   Vec2 point;
   Ref on;
+  bool on_fixed = true;
   static constexpr std::string_view kName = "heat_point";
   static constexpr std::array kFields = {
       Field<HeatPoint>{"members", &HeatPoint::members, "whose centre of mass", "", 0, 0, true},
       Field<HeatPoint>{"point", &HeatPoint::point, "where it should be", "m", -1e5, 1e5, true},
-      Field<HeatPoint>{"on", &HeatPoint::on, "`point` is (to the front, to the left) of this object's centre and moves with it"}};
+      Field<HeatPoint>{"on", &HeatPoint::on, "`point` is (to the front, to the left) of this object's centre and moves with it"},
+      Field<HeatPoint>{"on_fixed", &HeatPoint::on_fixed, "this constraint never moves that object"}};
 };
 
 /// The members' centre of mass on the ray from the focal object's front (TVCG eq. 11, corrected).

@@ -58,7 +58,7 @@ constexpr std::array kTable = {
             "upper cabinet|kitchen upper cabinet|small upper cabinet|upper corner cabinet|medicine box"},
     KindRow{"kitchen cabinet", furniture,
             "kitchen cabinet|lower cabinet|high cabinet|sink cabinet|lower corner cabinet"},
-    KindRow{"kitchen island", furniture, "countertop island|island|island extension"},
+    KindRow{"kitchen island", furniture, "countertop island|island|island extension|worktop"},
     KindRow{"counter", furniture, "countertop|counter top|counter|bar"},
     KindRow{"cupboard", furniture, "cupboard|cabinet|sideboard|buffet|glass door cabinet"},
     KindRow{"fridge", furniture, "fridge|refrigerator|freezer"},
@@ -143,6 +143,7 @@ std::string_view kind_of(std::string_view name) {
   if (words.starts_with(kVendor)) words.erase(0, kVendor.size());
   if (words.empty()) return "";
   if (const KindRow* exact = find_kind(words)) return exact->kind;
+  if (words == "top") return "kitchen island";  // of several units
   words = " " + words + " ";
   for (const KindRow& row : kTable) {
     std::string_view rest = row.phrases;

@@ -67,6 +67,7 @@ struct Object {
   Vec3 size{0.5, 0.5, 0.5};       ///< width across the front, depth front to back, height
   std::optional<Vec3> position;   ///< centre of the footprint, height of the base; absent: anywhere
   std::optional<double> angle;    ///< where the front faces; absent: any
+  std::optional<double> elevation;  ///< height of the base while there is no position; absent: on what carries it, or by its mount
   bool fixed = false;
   Lock lock = Lock::none;
   Clearance clearance;

@@ -39,12 +39,14 @@ Mount mount_of(const Object& o, const scene::Space& space) {
   return nearest_on_ring(space.outline, o.position->xy()).distance <= reach ? Mount::wall : Mount::floor;
 }
 
-/// True when all corners of the upper footprint lie on the lower one, or at most 10 cm beside it.
+/// True when all corners of the upper footprint lie on the lower one, or at most 10 cm beside it; televisions are often
+/// wider than what they stand on.
 bool stands_within(const Object& upper, const Object& lower) {
   Box box = box_of(lower);
   if (!box.contains(upper.position->xy())) return false;
-  box.half_depth += 0.1;
-  box.half_width += 0.1;
+  const double overhang = upper.kind == "tv" ? 0.3 : 0.1;
+  box.half_depth += overhang;
+  box.half_width += overhang;
   const auto corners = box_of(upper).corners();
   return std::all_of(corners.begin(), corners.end(), [&](Vec2 c) { return box.contains(c); });
 }
@@ -140,10 +142,11 @@ class Furnisher {
   }
 
   /// What hangs or stands sunk into a wall (plants in a window's niche, a television in its recess) stays there, and so
-  /// does the rest of a rigid group of which something stays.
+  /// does what lies across several things (a worktop), and the rest of a rigid group of which something stays.
   void fix_what_is_built_in() {
     for (Object& o : scene_.objects) {
       if (o.position->z <= 0.05 || !o.on.none()) continue;
+      if (o.mount == Mount::floor) o.fixed = true;
       for (const Vec2 c : box_of(o).corners()) {
         if (!contains(scene_.space.outline, c) && nearest_on_ring(scene_.space.outline, c).distance > kSunk)
           o.fixed = true;

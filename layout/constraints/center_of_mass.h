@@ -81,6 +81,7 @@ void expand(const scene::HeatPoint& c, Out& out) {
   CenterTerm term;
   term.point = c.point;
   if (!c.on.none()) term.on = out.anchor(c.on);
+  term.on_fixed = c.on_fixed;
   add_center(std::move(term), out.members(c.members), false, c.on, out);
 }
 
