@@ -27,10 +27,14 @@ SinCos sin_cos(double a) {
   c = c * z + 1.0 / 24.0;
   c = 1 - (z * 0.5 - z * z * c);
   switch (turns & 3) {
-    case 0: return {s, c};
-    case 1: return {c, -s};
-    case 2: return {-s, -c};
-    default: return {-c, s};
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
   }
 }
 

@@ -18,8 +18,9 @@ struct SinCos {
   double sin = 0, cos = 1;
 };
 
-/// Sine and cosine, |a| < 1e5; absolute error below 2e-16 for |a| <= pi (Taylor series on [-pi/4, pi/4], whose next term is
-/// below 1e-17). Ours and not the C library's, whose last bit differs between processors: same seed, same bytes.
+/// Sine and cosine, |a| < 1e5; absolute error below 2e-16 for |a| <= pi (Taylor series on [-pi/4, pi/4], whose next
+/// term is below 1e-17). Ours and not the C library's, whose last bit differs between processors: same seed, same
+/// bytes.
 SinCos sin_cos(double a);
 
 /// The angle of (x, y) in (-pi, pi], error below 5e-16; 0 for (0, 0). Ours for the same reason as sin_cos.

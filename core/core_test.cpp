@@ -74,7 +74,9 @@ TEST_CASE("a misspelt name finds its neighbour, a foreign one finds nothing") {
 
 TEST_CASE("UTF-8 is told from noise") {
   CHECK(is_utf8("Küche"));
-  CHECK_FALSE(is_utf8("K\xfc" "che"));
+  CHECK_FALSE(
+      is_utf8("K\xfc"
+              "che"));
   CHECK_FALSE(is_utf8("\xed\xa0\x80"));
   CHECK_FALSE(is_utf8("\xc3"));
 }

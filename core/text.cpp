@@ -60,7 +60,11 @@ std::string fixed(double value, int digits) {
 bool is_utf8(std::string_view bytes) {
   for (std::size_t i = 0; i < bytes.size();) {
     const auto c = static_cast<std::uint8_t>(bytes[i]);
-    const int extra = c < 0x80 ? 0 : c >= 0xc2 && c < 0xe0 ? 1 : c >= 0xe0 && c < 0xf0 ? 2 : c >= 0xf0 && c < 0xf5 ? 3 : -1;
+    const int extra = c < 0x80                ? 0
+                      : c >= 0xc2 && c < 0xe0 ? 1
+                      : c >= 0xe0 && c < 0xf0 ? 2
+                      : c >= 0xf0 && c < 0xf5 ? 3
+                                              : -1;
     if (extra < 0 || i + static_cast<std::size_t>(extra) >= bytes.size()) return false;
     std::uint32_t code = extra == 0 ? c : c & (0x3f >> extra);
     for (int k = 1; k <= extra; ++k) {
@@ -68,7 +72,8 @@ bool is_utf8(std::string_view bytes) {
       if ((next & 0xc0) != 0x80) return false;
       code = code << 6 | (next & 0x3f);
     }
-    if ((extra == 2 && (code < 0x800 || (code >= 0xd800 && code < 0xe000))) || (extra == 3 && (code < 0x10000 || code > 0x10ffff)))
+    if ((extra == 2 && (code < 0x800 || (code >= 0xd800 && code < 0xe000))) ||
+        (extra == 3 && (code < 0x10000 || code > 0x10ffff)))
       return false;
     i += static_cast<std::size_t>(extra) + 1;
   }

@@ -1,8 +1,8 @@
+#include "io/formats/sweethome3d.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
-
-#include "io/formats/sweethome3d.h"
 
 /// Bytes as a home: the zip archive or Home.xml alone. What opens must become rooms and be written back.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -6,8 +6,8 @@
 
 namespace inhabit::geometry {
 
-/// An oriented rectangle on the ground. `front` is the unit vector that its front face looks along; `half_depth` is measured
-/// along it, `half_width` across it.
+/// An oriented rectangle on the ground. `front` is the unit vector that its front face looks along; `half_depth` is
+/// measured along it, `half_width` across it.
 struct Box {
   Vec2 center;
   Vec2 front{1, 0};
@@ -26,9 +26,7 @@ struct Box {
     return d.x >= -half_depth && d.x <= half_depth && d.y >= -half_width && d.y <= half_width;
   }
   /// Half the extent along the unit vector n.
-  double extent(Vec2 n) const {
-    return half_depth * std::abs(dot(front, n)) + half_width * std::abs(dot(left(), n));
-  }
+  double extent(Vec2 n) const { return half_depth * std::abs(dot(front, n)) + half_width * std::abs(dot(left(), n)); }
 };
 
 /// The box of an object of `size` = (width across the front, depth front to back, height) at `pose`.
@@ -42,7 +40,8 @@ struct Separation {
 };
 
 /// Minimum translation between two oriented boxes by the separating-axis test over their four face normals. Ties go to
-/// the first axis: a's front, a's left, b's front, b's left. Boxes with the same centre are parted along the positive axis.
+/// the first axis: a's front, a's left, b's front, b's left. Boxes with the same centre are parted along the positive
+/// axis.
 inline Separation separation(const Box& a, const Box& b) {
   const Vec2 d = a.center - b.center;
   // In a's frame: b's axes seen from a.

@@ -7,8 +7,8 @@
 namespace inhabit::geometry {
 
 /// Finds which of many bounds meet a given one, or each other. A uniform grid about as fine as the median box, coarser
-/// when that took more than four cells or sixteen entries per box; every answer is in the order of the cells, the same at
-/// every run. Cost: linear for boxes of similar size that do not pile up.
+/// when that took more than four cells or sixteen entries per box; every answer is in the order of the cells, the same
+/// at every run. Cost: linear for boxes of similar size that do not pile up.
 class BoxGrid {
  public:
   explicit BoxGrid(std::vector<Bounds> boxes);

@@ -6,8 +6,8 @@
 
 namespace inhabit::geometry {
 
-/// How to part a box from a convex, counter-clockwise ring: like separation() of two boxes; normal points from the ring to
-/// the box. Requires: at least three corners.
+/// How to part a box from a convex, counter-clockwise ring: like separation() of two boxes; normal points from the ring
+/// to the box. Requires: at least three corners.
 Separation separation(const Box& box, std::span<const Vec2> convex);
 
 /// The ring cut into convex, counter-clockwise parts: itself when it is convex, otherwise triangles of its constrained

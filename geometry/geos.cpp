@@ -34,7 +34,8 @@ Geos::Shape Geos::united(std::vector<Shape> parts) const {
     if (part) raw.push_back(part.release());
   }
   if (raw.empty()) return own(GEOSGeom_createEmptyPolygon_r(context_));
-  const Shape all = own(GEOSGeom_createCollection_r(context_, GEOS_GEOMETRYCOLLECTION, raw.data(), static_cast<unsigned>(raw.size())));
+  const Shape all = own(
+      GEOSGeom_createCollection_r(context_, GEOS_GEOMETRYCOLLECTION, raw.data(), static_cast<unsigned>(raw.size())));
   return all ? own(GEOSUnaryUnion_r(context_, all.get())) : own(nullptr);
 }
 

@@ -63,7 +63,8 @@ Geos::Shape united(const Geos& geos, std::span<const Ring> rings) {
 std::vector<Area> areas_of(const Geos& geos, const Geos::Shape& shape, double tolerance) {
   std::vector<Area> areas;
   collect(geos, shape.get(), tolerance, areas);
-  std::ranges::stable_sort(areas, std::ranges::greater{}, [](const Area& a) { return std::abs(signed_area(a.outline)); });
+  std::ranges::stable_sort(areas, std::ranges::greater{},
+                           [](const Area& a) { return std::abs(signed_area(a.outline)); });
   return areas;
 }
 

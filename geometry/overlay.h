@@ -21,8 +21,8 @@ double area_outside(std::span<const Vec2> ring, std::span<const Vec2> outline);
 /// Corners that lie within `tolerance` of the line between their neighbours are dropped.
 std::vector<Area> difference(const std::vector<Area>& areas, std::span<const Ring> taken, double tolerance);
 
-/// `subject` without everything in `taken`, largest part first. Notches, spikes and gaps narrower than 2 * `sliver` metres
-/// are dropped, corners are kept by mitring.
+/// `subject` without everything in `taken`, largest part first. Notches, spikes and gaps narrower than 2 * `sliver`
+/// metres are dropped, corners are kept by mitring.
 std::vector<Area> smooth_difference(std::span<const Vec2> subject, std::span<const Ring> taken, double sliver);
 
 /// True when `a` and the union of `b` share a spot that is wider than 2 * `depth` in every direction.

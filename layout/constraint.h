@@ -8,12 +8,13 @@
 /// struct that derives from Term and comes with four functions:
 ///
 ///   double error(const T&, const State&)               C, or the violated part of an inequality; 0 when satisfied
-///   void project(const T&, const State&, double k, Sink&)   asks the sink for shifts and turns that satisfy C to first order
-///   void anchors(const T&, F f)                        calls f(anchor) for every anchor that the term reads
-///   void expand(const scene::Kind&, Out&)              the document's constraint in terms: out.add(term, a, b)
+///   void project(const T&, const State&, double k, Sink&)   asks the sink for shifts and turns that satisfy C to first
+///   order void anchors(const T&, F f)                        calls f(anchor) for every anchor that the term reads void
+///   expand(const scene::Kind&, Out&)              the document's constraint in terms: out.add(term, a, b)
 ///
-/// Shifts follow TVCG eq. 2, 3 with the minus sign that the print lost: dp_i = -k s w_i grad_i C, s = C / sum w_j |grad_j C|^2.
-/// A sum of zero (all pinned, coincident points) asks for nothing. Turns are the smallest that satisfy C, times k.
+/// Shifts follow TVCG eq. 2, 3 with the minus sign that the print lost: dp_i = -k s w_i grad_i C, s = C / sum w_j
+/// |grad_j C|^2. A sum of zero (all pinned, coincident points) asks for nothing. Turns are the smallest that satisfy C,
+/// times k.
 namespace inhabit::layout {
 
 /// Passes of one iteration in which a term is projected (thesis table 5.1).

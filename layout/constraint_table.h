@@ -33,7 +33,9 @@ concept ConstraintTerm = std::derived_from<T, Term> && requires(const T& c, cons
 };
 
 template <class... T>
-constexpr bool all_terms(TypeList<T...>) { return (ConstraintTerm<T> && ...); }
+constexpr bool all_terms(TypeList<T...>) {
+  return (ConstraintTerm<T> && ...);
+}
 static_assert(all_terms(TermTypes{}));
 
 }  // namespace inhabit::layout

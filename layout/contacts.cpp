@@ -80,14 +80,20 @@ void Contacts::rebuild(const State& x) {
   built_at_.resize(n);
   Bounds b;
   for (std::size_t i = 0; i < n; ++i) built_at_[i] = x.boxes[i].center, b.add(built_at_[i]);
-  // A cell holds the reach of the widest small pair; sparse scenes get larger cells, so that there are at most 4 n of them.
+  // A cell holds the reach of the widest small pair; sparse scenes get larger cells, so that there are at most 4 n of
+  // them.
   const Vec2 extent = b.size();
   double cell = 2 * small_radius_ + margin_;
   cell = std::max(cell, std::sqrt(std::max(1e-9, extent.x * extent.y) / (4.0 * static_cast<double>(n))));
-  const auto columns = static_cast<std::int64_t>(extent.x / cell) + 1, rows = static_cast<std::int64_t>(extent.y / cell) + 1;
+  const auto columns = static_cast<std::int64_t>(extent.x / cell) + 1,
+             rows = static_cast<std::int64_t>(extent.y / cell) + 1;
   // Truncation is floor here: nothing lies below the bounds' corner, and queries that do are clamped to it.
-  const auto column = [&](double v) { return std::min(static_cast<std::int64_t>(std::max(0.0, (v - b.min.x) / cell)), columns - 1); };
-  const auto row = [&](double v) { return std::min(static_cast<std::int64_t>(std::max(0.0, (v - b.min.y) / cell)), rows - 1); };
+  const auto column = [&](double v) {
+    return std::min(static_cast<std::int64_t>(std::max(0.0, (v - b.min.x) / cell)), columns - 1);
+  };
+  const auto row = [&](double v) {
+    return std::min(static_cast<std::int64_t>(std::max(0.0, (v - b.min.y) / cell)), rows - 1);
+  };
   // Counting sort of the small boxes by cell.
   cell_first_.assign(static_cast<std::size_t>(columns * rows) + 1, 0);
   cell_of_.assign(n, 0xffffffffu);
@@ -118,9 +124,11 @@ void Contacts::rebuild(const State& x) {
     const auto consider = [&](const Item& i, const Item& j) {
       const double reach = i.radius + j.radius + margin_;
       const Vec2 d = i.center - j.center;
-      if (dot(d, d) < reach * reach && p_.collide(i.box, j.box)) pairs_.push_back(pair_of(std::min(i.box, j.box), std::max(i.box, j.box)));
+      if (dot(d, d) < reach * reach && p_.collide(i.box, j.box))
+        pairs_.push_back(pair_of(std::min(i.box, j.box), std::max(i.box, j.box)));
     };
-    // Small with small: a cell is as wide as any such pair reaches, so each cell meets itself and four of its neighbours.
+    // Small with small: a cell is as wide as any such pair reaches, so each cell meets itself and four of its
+    // neighbours.
     for (std::int64_t r = 0; r < rows; ++r) {
       for (std::int64_t c = 0; c < columns; ++c) {
         const auto k = static_cast<std::size_t>(r * columns + c);
@@ -129,14 +137,16 @@ void Contacts::rebuild(const State& x) {
           for (const auto& [dc, dr] : {std::pair{1, 0}, {-1, 1}, {0, 1}, {1, 1}}) {
             if (c + dc < 0 || c + dc >= columns || r + dr >= rows) continue;
             const auto other = static_cast<std::size_t>((r + dr) * columns + c + dc);
-            for (std::uint32_t t = cell_first_[other]; t < cell_first_[other + 1]; ++t) consider(cell_items_[s], cell_items_[t]);
+            for (std::uint32_t t = cell_first_[other]; t < cell_first_[other + 1]; ++t)
+              consider(cell_items_[s], cell_items_[t]);
           }
         }
       }
     }
     for (const std::uint32_t i : large_) {
       for (std::uint32_t j = 0; j < n; ++j) {
-        if (cell_of_[j] != 0xffffffffu || j > i) consider({built_at_[i], boxes[i].radius, i}, {built_at_[j], boxes[j].radius, j});
+        if (cell_of_[j] != 0xffffffffu || j > i)
+          consider({built_at_[i], boxes[i].radius, i}, {built_at_[j], boxes[j].radius, j});
       }
     }
   }

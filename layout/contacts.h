@@ -11,9 +11,7 @@ struct Score {
   double slack = 0;      ///< largest |C| of everything else, metres or radians
   bool feasible() const { return worst <= 1e-3; }
   /// Feasible before infeasible, then by energy.
-  bool better_than(const Score& b) const {
-    return feasible() != b.feasible() ? feasible() : energy < b.energy;
-  }
+  bool better_than(const Score& b) const { return feasible() != b.feasible() ? feasible() : energy < b.energy; }
 };
 
 /// The pairs of boxes, and of zones and boxes, that may meet: found by a uniform grid with a margin, and kept until

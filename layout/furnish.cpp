@@ -47,8 +47,8 @@ void run_starts(const Problem& problem, const Options& options, int first, int c
   out.cancelled = options.cancel != nullptr && options.cancel->requested();
 }
 
-/// True when its base is to be where it is without a carrier's top: it hangs, floats, or stands inside its carrier (on the
-/// seat of a chair, in a basin), with which it then does not collide.
+/// True when its base is to be where it is without a carrier's top: it hangs, floats, or stands inside its carrier (on
+/// the seat of a chair, in a basin), with which it then does not collide.
 bool keeps_height(const Scene& scene, const Relations& relations, std::uint32_t i) {
   const Object& o = scene.objects[i];
   if (!o.position) return false;
@@ -90,7 +90,8 @@ Result<std::vector<Layout>> suggest(const Scene& scene, const Options& options, 
     std::ranges::stable_sort(ranked, better);
     chosen.clear();
     for (const Layout& l : ranked) {
-      const bool fresh = std::ranges::all_of(chosen, [&](const Layout& c) { return distinct(scene, l.placement, c.placement); });
+      const bool fresh =
+          std::ranges::all_of(chosen, [&](const Layout& c) { return distinct(scene, l.placement, c.placement); });
       if (fresh && static_cast<int>(chosen.size()) < count) chosen.push_back(l);
     }
     const bool enough = static_cast<int>(chosen.size()) == count && chosen.back().feasible;

@@ -10,23 +10,23 @@
 namespace inhabit::layout {
 using namespace scene;
 
-/// Gauss–Seidel: a projection is visible to the next one. Averaged: the corrections of a set are averaged per particle and
-/// multiplied by 1.2 (TVCG 3.1).
+/// Gauss–Seidel: a projection is visible to the next one. Averaged: the corrections of a set are averaged per particle
+/// and multiplied by 1.2 (TVCG 3.1).
 enum class Scheme { gauss_seidel, averaged };
-/// Where free objects start. `given`: where the scene says, the rest as `placed`. `random`: uniformly, as in the papers.
-/// `placed`: one after the other at the best of some sampled poses.
+/// Where free objects start. `given`: where the scene says, the rest as `placed`. `random`: uniformly, as in the
+/// papers. `placed`: one after the other at the best of some sampled poses.
 enum class Start { given, random, placed };
 
 struct Options {
   std::uint64_t seed = 1;
-  int starts = 5;           ///< random restarts; the best layout of all is returned
-  int threads = 0;          ///< 0: all there are; never changes the result
+  int starts = 5;              ///< random restarts; the best layout of all is returned
+  int threads = 0;             ///< 0: all there are; never changes the result
   int max_iterations = 20000;  ///< while nothing feasible is found; a feasible start ends long before
-  int patience = 50;        ///< stop when the best energy has not improved for so many iterations (thesis 6.2)
+  int patience = 50;           ///< stop when the best energy has not improved for so many iterations (thesis 6.2)
   Scheme scheme = Scheme::gauss_seidel;
   Start start = Start::given;
-  bool relocation = true;   ///< discrete moves between projections; false: the papers' scheme alone
-  bool paper = false;       ///< the papers' method to the letter: random start, no relocation, no polishing
+  bool relocation = true;  ///< discrete moves between projections; false: the papers' scheme alone
+  bool paper = false;      ///< the papers' method to the letter: random start, no relocation, no polishing
   bool trace = false;
   core::Progress progress;
   const core::Cancel* cancel = nullptr;
@@ -44,8 +44,8 @@ struct Placement {
 
 struct TraceRow {
   int start = 0, iteration = 0;
-  double energy = 0;         ///< TVCG eq. 1
-  double overlap = 0;        ///< summed overlap depth of all pairs and of everything outside, metres
+  double energy = 0;   ///< TVCG eq. 1
+  double overlap = 0;  ///< summed overlap depth of all pairs and of everything outside, metres
   bool feasible = false;
   bool relocated = false;
 };
@@ -53,11 +53,11 @@ struct TraceRow {
 /// One finished start.
 struct Layout {
   Placement placement;
-  bool feasible = false;     ///< no overlap deeper than 1 mm, nothing outside by more than 1 mm
+  bool feasible = false;  ///< no overlap deeper than 1 mm, nothing outside by more than 1 mm
   double energy = 0;
-  double violation = 0;      ///< summed overlap and outside depth, metres
+  double violation = 0;  ///< summed overlap and outside depth, metres
   int start = 0, iterations = 0;
-  double seconds = 0;        ///< wall time of this start
+  double seconds = 0;  ///< wall time of this start
 };
 
 struct Outcome {
@@ -67,8 +67,8 @@ struct Outcome {
   bool cancelled = false;
 };
 
-/// Furnishes the scene. Errors: a scene that cannot be furnished whatever the arrangement (an object larger than the room
-/// in every orientation, a group that contains itself). A layout that violates constraints is no error: see check.
+/// Furnishes the scene. Errors: a scene that cannot be furnished whatever the arrangement (an object larger than the
+/// room in every orientation, a group that contains itself). A layout that violates constraints is no error: see check.
 Result<Outcome> furnish(const Scene& scene, const Options& options);
 
 /// `count` distinct layouts, best first: feasible before infeasible, then by energy; two are distinct when some object

@@ -16,8 +16,8 @@ struct Place {
 /// Which sides of a table people sit at.
 enum class Sides { front, around };
 
-/// `count` seats of one size at `gap` from the edge of a table, looking at it: one on its longer side, two opposite each other,
-/// more along the long sides first, then at the ends. Fewer when no more have room.
+/// `count` seats of one size at `gap` from the edge of a table, looking at it: one on its longer side, two opposite
+/// each other, more along the long sides first, then at the ends. Fewer when no more have room.
 std::vector<Place> seats(const Vec3& table, const Vec3& seat, Sides sides, std::size_t count, double gap);
 
 /// Both sides of the back end: of a bed's head, of a sofa.

@@ -64,7 +64,8 @@ class Rules {
     return free_[i] && o.on.none() && o.mount != Mount::ceiling;
   }
 
-  /// Walls and clearances. Furniture that seeks nothing stands at a wall, whatever it is; what does keeps to right angles.
+  /// Walls and clearances. Furniture that seeks nothing stands at a wall, whatever it is; what does keeps to right
+  /// angles.
   void stand() {
     WallDistance back;
     WallOrientation turned, square;
@@ -129,9 +130,8 @@ class Rules {
       const std::size_t taken = (found == gathered.end() ? 0 : found->second.size()) + guests_of(k, rule);
       if (taken >= rule.at_most) continue;
       const Object &a = scene_.objects[i], &b = scene_.objects[k];
-      const double cost =
-          a.position && b.position ? length(a.position->xy() - b.position->xy())
-                                   : 1e6 + static_cast<double>(taken + 1) / (b.size.x * b.size.y);
+      const double cost = a.position && b.position ? length(a.position->xy() - b.position->xy())
+                                                   : 1e6 + static_cast<double>(taken + 1) / (b.size.x * b.size.y);
       if (cost < least) least = cost, best = k;
     }
     return best;
@@ -174,14 +174,17 @@ class Rules {
       guest.y = std::max(guest.y, scene_.objects[i].size.y);
     }
     switch (rule.bond) {
-      case Bond::flank: return flanks(size, guest);
-      case Bond::wing: return wings(size, guest);
+      case Bond::flank:
+        return flanks(size, guest);
+      case Bond::wing:
+        return wings(size, guest);
       case Bond::before: {
         Place place = before(size, guest, rule.gap);
         if (rule.turned) place.turn = kPi;
         return {place};
       }
-      default: break;
+      default:
+        break;
     }
     // People sit on all sides of a table, at one side only when alone: its back is then free for a wall.
     const bool around = rule.bond == Bond::around;

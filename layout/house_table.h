@@ -117,10 +117,10 @@ struct Under {
   std::string_view other;
   double ahead = 0;  ///< so far in front of the other's centre, in its depths
 };
-inline constexpr std::array kUnderRugs = {Under{"coffee table"}, Under{"dining table"}, Under{"bed", 0.25}, Under{"sofa", 1},
-                                   Under{"desk", 0.5}};
+inline constexpr std::array kUnderRugs = {Under{"coffee table"}, Under{"dining table"}, Under{"bed", 0.25},
+                                          Under{"sofa", 1}, Under{"desk", 0.5}};
 
 inline constexpr std::array<std::string_view, 7> kKitchenUnits = {"fridge", "kitchen cabinet", "sink",    "dishwasher",
-                                                           "cooker", "counter",         "cupboard"};
+                                                                  "cooker", "counter",         "cupboard"};
 
 }  // namespace inhabit::layout

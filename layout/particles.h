@@ -11,8 +11,8 @@
 namespace inhabit::layout {
 using namespace scene;
 
-/// A point that rides on a particle: the object itself, an object inside a rigid group, or (kGroup set) a group that is not
-/// rigid, which has no state of its own: its position is the centre of mass of its particles.
+/// A point that rides on a particle: the object itself, an object inside a rigid group, or (kGroup set) a group that is
+/// not rigid, which has no state of its own: its position is the centre of mass of its particles.
 struct Anchor {
   static constexpr std::uint32_t kGroup = 0x80000000u;
   std::uint32_t body = 0;
@@ -28,8 +28,8 @@ struct BodyData {
   bool turns = false;  ///< false when its heading is pinned
   double mass = 1;
   std::uint32_t first_box = 0, boxes = 0;
-  double area = 0;     ///< of all its boxes
-  double radius = 0;   ///< of the circle about its position that holds every box
+  double area = 0;    ///< of all its boxes
+  double radius = 0;  ///< of the circle about its position that holds every box
 };
 
 /// What never changes about an object's box.
@@ -38,10 +38,10 @@ struct BoxData {
   Vec2 offset;
   double turn = 0;
   double half_depth = 0, half_width = 0, radius = 0;
-  double low = 0, high = 0;    ///< z range
-  std::uint64_t off = 0;       ///< sets whose members do not collide with each other
-  std::uint64_t sphere = 0;    ///< sets that collide as circles
-  bool at_wall = false;        ///< held to a wall by a constraint
+  double low = 0, high = 0;  ///< z range
+  std::uint64_t off = 0;     ///< sets whose members do not collide with each other
+  std::uint64_t sphere = 0;  ///< sets that collide as circles
+  bool at_wall = false;      ///< held to a wall by a constraint
 };
 
 /// Particles of a group that is not rigid.
@@ -89,9 +89,12 @@ struct State {
   }
   double angle(const Anchor& a) const {
     if (a.group()) return frames[a.index()].angle;
-    return a.rider == Anchor::kBody ? bodies[a.body].angle : wrap_angle(bodies[a.body].angle + data->riders[a.rider].turn);
+    return a.rider == Anchor::kBody ? bodies[a.body].angle
+                                    : wrap_angle(bodies[a.body].angle + data->riders[a.rider].turn);
   }
-  Vec2 front(const Anchor& a) const { return !a.group() && a.rider == Anchor::kBody ? bodies[a.body].front : direction(angle(a)); }
+  Vec2 front(const Anchor& a) const {
+    return !a.group() && a.rider == Anchor::kBody ? bodies[a.body].front : direction(angle(a));
+  }
   double w(const Anchor& a) const {
     if (solo != kNobody && a.body != solo) return 0;
     return a.group() ? data->groups[a.index()].w : data->bodies[a.body].w;

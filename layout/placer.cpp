@@ -12,8 +12,8 @@ constexpr double kOverlapEdge = 0.1;
 constexpr std::size_t kFew = 32;
 /// Of the proposals, how many keep to the directions of the walls. People furnish at right angles, and it packs better.
 constexpr double kAligned = 0.9;
-/// While every sampled pose overlaps something or misses the particle's own constraints, up to so many times as many are
-/// sampled.
+/// While every sampled pose overlaps something or misses the particle's own constraints, up to so many times as many
+/// are sampled.
 constexpr int kLongSearch = 4;
 /// Squared energy of a pose that misses them by centimetres only.
 constexpr double kFits = 0.01;
@@ -45,8 +45,10 @@ Placer::Placer(const Problem& problem, State& x) : p_(problem), x_(x) {
     std::ranges::nth_element(sorted, middle);
     for (std::uint32_t b = 0; b < n; ++b) {
       is_large_[b] = reach_[b] > 3 * *middle;
-      if (is_large_[b]) large_.push_back(b);
-      else small_reach_ = std::max(small_reach_, reach_[b]);
+      if (is_large_[b])
+        large_.push_back(b);
+      else
+        small_reach_ = std::max(small_reach_, reach_[b]);
     }
     const Bounds room = p_.room.extent();
     cell_size_ = std::max(2 * small_reach_, std::sqrt(room.size().x * room.size().y / (4.0 * static_cast<double>(n))));
@@ -62,8 +64,10 @@ Placer::Placer(const Problem& problem, State& x) : p_(problem), x_(x) {
 }
 
 std::size_t Placer::cell(Vec2 p) const {
-  const auto c = std::clamp(static_cast<std::int64_t>(std::floor((p.x - origin_.x) / cell_size_)), std::int64_t{0}, columns_ - 1);
-  const auto r = std::clamp(static_cast<std::int64_t>(std::floor((p.y - origin_.y) / cell_size_)), std::int64_t{0}, rows_ - 1);
+  const auto c =
+      std::clamp(static_cast<std::int64_t>(std::floor((p.x - origin_.x) / cell_size_)), std::int64_t{0}, columns_ - 1);
+  const auto r =
+      std::clamp(static_cast<std::int64_t>(std::floor((p.y - origin_.y) / cell_size_)), std::int64_t{0}, rows_ - 1);
   return static_cast<std::size_t>(r * columns_ + c);
 }
 
@@ -118,8 +122,13 @@ void Placer::for_neighbours(std::uint32_t body, F&& f) const {
   }
   const Vec2 p = x_.bodies[body].p;
   const double r = reach_[body] + small_reach_;
-  const auto clamp_column = [&](double v) { return std::clamp(static_cast<std::int64_t>(std::floor((v - origin_.x) / cell_size_)), std::int64_t{0}, columns_ - 1); };
-  const auto clamp_row = [&](double v) { return std::clamp(static_cast<std::int64_t>(std::floor((v - origin_.y) / cell_size_)), std::int64_t{0}, rows_ - 1); };
+  const auto clamp_column = [&](double v) {
+    return std::clamp(static_cast<std::int64_t>(std::floor((v - origin_.x) / cell_size_)), std::int64_t{0},
+                      columns_ - 1);
+  };
+  const auto clamp_row = [&](double v) {
+    return std::clamp(static_cast<std::int64_t>(std::floor((v - origin_.y) / cell_size_)), std::int64_t{0}, rows_ - 1);
+  };
   for (std::int64_t row = clamp_row(p.y - r); row <= clamp_row(p.y + r); ++row) {
     for (std::int64_t column = clamp_column(p.x - r); column <= clamp_column(p.x + r); ++column) {
       for (std::uint32_t b = head_[static_cast<std::size_t>(row * columns_ + column)]; b != kEnd; b = next_[b]) {
@@ -138,7 +147,8 @@ double Placer::pair_cost(std::uint32_t a, std::uint32_t b) const {
   if (p_.collisions) {
     for (std::uint32_t i = da.first_box; i < da.first_box + da.boxes; ++i) {
       for (std::uint32_t j = db.first_box; j < db.first_box + db.boxes; ++j) {
-        if (!near(x_.boxes[i], p_.data.boxes[i].radius, x_.boxes[j], p_.data.boxes[j].radius) || !p_.collide(i, j)) continue;
+        if (!near(x_.boxes[i], p_.data.boxes[i].radius, x_.boxes[j], p_.data.boxes[j].radius) || !p_.collide(i, j))
+          continue;
         const double d = separation(x_.boxes[i], x_.boxes[j]).depth;
         if (d > 0) sum += p_.collision_gamma * d * (d + kOverlapEdge);
       }
@@ -148,7 +158,8 @@ double Placer::pair_cost(std::uint32_t a, std::uint32_t b) const {
     for (const std::uint32_t z : p_.zones_of_body[owner]) {
       const Zone& zone = p_.zones[z];
       for (std::uint32_t j = other.first_box; j < other.first_box + other.boxes; ++j) {
-        if (!near({zone_center(zone, x_)}, zone.radius, x_.boxes[j], p_.data.boxes[j].radius) || !zone.concerns(j)) continue;
+        if (!near({zone_center(zone, x_)}, zone.radius, x_.boxes[j], p_.data.boxes[j].radius) || !zone.concerns(j))
+          continue;
         if (p_.data.boxes[j].low >= zone.high || zone.low >= p_.data.boxes[j].high) continue;
         const double d = zone_separation(zone, x_.boxes[j], x_, false).depth;
         if (d > 0) sum += zone.gamma * d * d;
@@ -164,12 +175,14 @@ double Placer::border_cost(std::uint32_t body) const {
   double sum = 0;
   for (std::uint32_t i = d.first_box; i < d.first_box + d.boxes; ++i) {
     if (p_.boundary) {
-      p_.room.for_each_violation(x_.boxes[i], [&](Vec2, double depth) { sum += p_.collision_gamma * depth * (depth + kOverlapEdge); });
+      p_.room.for_each_violation(
+          x_.boxes[i], [&](Vec2, double depth) { sum += p_.collision_gamma * depth * (depth + kOverlapEdge); });
     }
     for (const std::uint32_t z : p_.room_zones) {
       const Zone& zone = p_.zones[z];
       if (p_.data.boxes[i].low >= zone.high || zone.low >= p_.data.boxes[i].high) continue;
-      if (!near({zone_center(zone, x_)}, zone.radius, x_.boxes[i], p_.data.boxes[i].radius) || !zone.concerns(i)) continue;
+      if (!near({zone_center(zone, x_)}, zone.radius, x_.boxes[i], p_.data.boxes[i].radius) || !zone.concerns(i))
+        continue;
       const double depth = zone_separation(zone, x_.boxes[i], x_, false).depth;
       if (depth > 0) sum += zone.gamma * depth * depth;
     }
@@ -194,7 +207,8 @@ double Placer::center_cost(std::uint32_t body) const {
 
 bool Placer::all_placed(const Anchor& a, std::uint32_t self) const {
   if (!a.group()) return a.body == self || placed_[a.body];
-  return std::ranges::all_of(p_.data.groups[a.index()].bodies, [&](std::uint32_t b) { return b == self || placed_[b]; });
+  return std::ranges::all_of(p_.data.groups[a.index()].bodies,
+                             [&](std::uint32_t b) { return b == self || placed_[b]; });
 }
 
 double Placer::term_cost(std::uint32_t body, double limit) const {
@@ -250,7 +264,8 @@ Pose Placer::propose(std::uint32_t body, Rng& rng) const {
   Pose pose{x_.bodies[body].p, x_.bodies[body].angle};
   if (d.turns) {
     if (rng.uniform() < kAligned) {
-      pose.angle = wrap_angle(angle_of(wall_axes_[rng.index(static_cast<std::uint32_t>(wall_axes_.size()))]) + rng.index(4) * (kPi / 2));
+      pose.angle = wrap_angle(angle_of(wall_axes_[rng.index(static_cast<std::uint32_t>(wall_axes_.size()))]) +
+                              rng.index(4) * (kPi / 2));
     } else {
       pose.angle = rng.uniform(-kPi, kPi);
     }
@@ -302,7 +317,8 @@ void Placer::fit(std::uint32_t body, bool push) {
       const BodyData& o = p_.data.bodies[b];
       for (std::uint32_t i = d.first_box; i < d.first_box + d.boxes; ++i) {
         for (std::uint32_t j = o.first_box; j < o.first_box + o.boxes; ++j) {
-          if (!near(x_.boxes[i], p_.data.boxes[i].radius, x_.boxes[j], p_.data.boxes[j].radius) || !p_.collide(i, j)) continue;
+          if (!near(x_.boxes[i], p_.data.boxes[i].radius, x_.boxes[j], p_.data.boxes[j].radius) || !p_.collide(i, j))
+            continue;
           const Separation s = separation(x_.boxes[i], x_.boxes[j]);
           if (s.depth > 0) x_.shift(body, s.depth * s.normal);
         }

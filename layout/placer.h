@@ -4,12 +4,12 @@
 
 namespace inhabit::layout {
 
-/// Puts one particle after the other where it suits best among sampled poses: the start of a layout, and the discrete moves
-/// between projections that free objects which lock each other (layout.md, "What our own trials found").
+/// Puts one particle after the other where it suits best among sampled poses: the start of a layout, and the discrete
+/// moves between projections that free objects which lock each other (layout.md, "What our own trials found").
 ///
 /// A sampled pose is first fitted to the particle's own constraints and pushed out of what it meets, by the very
-/// projections of the solver with everything else pinned; so proposals follow walls, circles round a focal point and gaps
-/// between neighbours without a rule for any of them.
+/// projections of the solver with everything else pinned; so proposals follow walls, circles round a focal point and
+/// gaps between neighbours without a rule for any of them.
 class Placer {
  public:
   Placer(const Problem& problem, State& x);

@@ -36,15 +36,20 @@ struct Problem {
   std::vector<Zone> zones;
   std::vector<Ref> zone_owner;
   std::vector<StiffnessSlot> slots;
+  /// Sets that do not collide with themselves are bits of BoxData::off; from this one on they share the last bit and
+  /// stand in `off_pairs`, sorted, both ways round. (Of `sphere` sets the last bit is all: pairs of two of them are
+  /// circles too.)
+  static constexpr int kOverflowSet = 63;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> off_pairs;
   std::uint32_t collision_slot = 0;
   double collision_gamma = 150, boundary_gamma = 20;
-  bool collisions = true;            ///< false when a constraint turns them all off
+  bool collisions = true;  ///< false when a constraint turns them all off
   bool boundary = true;
   std::vector<std::uint32_t> body_of_object, box_of_object;
-  std::vector<double> base_of_object;             ///< z of each object's base
-  std::vector<std::uint32_t> body_of_group;       ///< rigid groups: their particle; none = 0xffffffff
-  std::vector<Pose> start;                        ///< given pose of each body
-  std::vector<bool> has_start;                    ///< position given
+  std::vector<double> base_of_object;        ///< z of each object's base
+  std::vector<std::uint32_t> body_of_group;  ///< rigid groups: their particle; none = 0xffffffff
+  std::vector<Pose> start;                   ///< given pose of each body
+  std::vector<bool> has_start;               ///< position given
   std::vector<bool> has_angle;
   /// Terms that read each body, as ranges of `touching`.
   std::vector<std::uint32_t> touching_first;
@@ -55,7 +60,9 @@ struct Problem {
   std::vector<std::uint32_t> room_zones;                  ///< zones that ride on nobody
 
   template <class T>
-  const std::vector<T>& of() const { return std::get<std::vector<T>>(terms); }
+  const std::vector<T>& of() const {
+    return std::get<std::vector<T>>(terms);
+  }
   /// Calls f(term, origin) for each term, type by type.
   template <class F>
   void for_each_term(F&& f) const {
@@ -82,10 +89,17 @@ struct Problem {
     const double ride = zone.owner->rider == Anchor::kBody ? 0 : length(data.riders[zone.owner->rider].offset);
     return ride + length(zone.box.center) + zone.radius;
   }
+  /// Both are members of a set that does not collide with itself.
+  bool exempt(std::uint32_t i, std::uint32_t j) const {
+    const std::uint64_t shared = data.boxes[i].off & data.boxes[j].off;
+    if (shared >> kOverflowSet == 0) return shared != 0;
+    return (shared & ~(std::uint64_t{1} << kOverflowSet)) != 0 ||
+           std::ranges::binary_search(off_pairs, std::pair{i, j});
+  }
   /// May two boxes touch? False for one body, disjoint heights, and sets that do not collide.
   bool collide(std::uint32_t i, std::uint32_t j) const {
     const BoxData &a = data.boxes[i], &b = data.boxes[j];
-    return a.body != b.body && (a.off & b.off) == 0 && a.low < b.high - 1e-3 && b.low < a.high - 1e-3 &&
+    return a.body != b.body && !exempt(i, j) && a.low < b.high - 1e-3 && b.low < a.high - 1e-3 &&
            (data.bodies[a.body].w > 0 || data.bodies[b.body].w > 0);
   }
 

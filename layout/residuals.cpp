@@ -18,7 +18,8 @@ Residuals residuals(const Scene& scene) {
     if constexpr (std::is_same_v<T, CurveTerm>) {
       for_each_residual(term, x, [&](std::string_view type, double e, std::uint32_t i, std::uint32_t j) {
         const auto& members = scene.groups[term.group].members;
-        out.list.push_back({type, false, e, i == j ? std::vector{members[i], origin.a} : std::vector{members[i], members[j]}});
+        out.list.push_back(
+            {type, false, e, i == j ? std::vector{members[i], origin.a} : std::vector{members[i], members[j]}});
         squares += term.gamma * e * e;
       });
     } else {

@@ -40,8 +40,8 @@ class Room {
   WallPoint nearest_wall(Vec2 p, std::optional<int> only = {}) const;
 
   /// How far the box has to move along `normal` to satisfy one wall, reflex corner or hole: the papers' boundary
-  /// constraint (TVCG 3.3.7). Calls f(normal, depth) for every one violated, in wall order; f may move the box, which it
-  /// is given by reference, between the calls.
+  /// constraint (TVCG 3.3.7). Calls f(normal, depth) for every one violated, in wall order; f may move the box, which
+  /// it is given by reference, between the calls.
   template <class F>
   void for_each_violation(const Box& box, F&& f) const {
     if (convex_) {

@@ -1,9 +1,8 @@
-#include "layout/room.h"
-
 #include <doctest/doctest.h>
 
 #include "core/rng.h"
 #include "geometry/containment.h"
+#include "layout/room.h"
 
 using namespace inhabit::layout;
 
@@ -16,14 +15,13 @@ double deepest(const Room& room, const Box& box) {
   return depth;
 }
 
-Box box_at(Vec2 p, double angle, double depth, double width) {
-  return {p, direction(angle), depth / 2, width / 2};
-}
+Box box_at(Vec2 p, double angle, double depth, double width) { return {p, direction(angle), depth / 2, width / 2}; }
 
 const Ring kCorner = {{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}};
 }  // namespace
 
-TEST_CASE("a box that lies along one wall of a reflex corner and through the other is outside by what it reaches beyond") {
+TEST_CASE(
+    "a box that lies along one wall of a reflex corner and through the other is outside by what it reaches beyond") {
   const Room room(kCorner, {});
   // Its lower edge in line with the wall y = 2, its left part behind the wall x = 2.
   CHECK(deepest(room, box_at({2.3, 2.05}, 0, 1, 0.1)) > 0.09);

@@ -6,18 +6,19 @@
 namespace inhabit::layout {
 namespace {
 
-constexpr double kSoftRate = 10;     ///< M of the decreasing schedule: soft constraints act fully for about ten iterations
-constexpr double kHardRate = 1;      ///< M of the increasing schedule
-constexpr int kStall = 8;             ///< iterations without clearly less overlap before a relocation
-constexpr double kProgress = 0.85;    ///< what counts as clearly less: creeping on costs more than moving somebody
-constexpr double kImprovement = 1e-3;  ///< an energy lower by less than this share is no improvement (as TVCG 4.3 stops its annealing)
-constexpr double kSettled = 1e-3;    ///< residual that nobody sees: 1 mm, 0.06 degrees
-constexpr double kVisible = 2e-3;    ///< root mean square change of all residuals that nobody sees: 2 mm, 0.1 degrees
-constexpr int kWindow = 5;           ///< iterations over which a settled layout's energy stays within that change
-constexpr int kRefinements = 12;     ///< relocations that look for a better energy once a layout is feasible
-constexpr int kSettling = 6;         ///< iterations after each
-constexpr int kFruitless = 3;        ///< so many without success end the search
-constexpr double kGood = 0.03;       ///< root mean square residual that needs none: 3 cm, 1.7 degrees
+constexpr double kSoftRate = 10;  ///< M of the decreasing schedule: soft constraints act fully for about ten iterations
+constexpr double kHardRate = 1;   ///< M of the increasing schedule
+constexpr int kStall = 8;         ///< iterations without clearly less overlap before a relocation
+constexpr double kProgress = 0.85;  ///< what counts as clearly less: creeping on costs more than moving somebody
+constexpr double kImprovement =
+    1e-3;  ///< an energy lower by less than this share is no improvement (as TVCG 4.3 stops its annealing)
+constexpr double kSettled = 1e-3;  ///< residual that nobody sees: 1 mm, 0.06 degrees
+constexpr double kVisible = 2e-3;  ///< root mean square change of all residuals that nobody sees: 2 mm, 0.1 degrees
+constexpr int kWindow = 5;         ///< iterations over which a settled layout's energy stays within that change
+constexpr int kRefinements = 12;   ///< relocations that look for a better energy once a layout is feasible
+constexpr int kSettling = 6;       ///< iterations after each
+constexpr int kFruitless = 3;      ///< so many without success end the search
+constexpr double kGood = 0.03;     ///< root mean square residual that needs none: 3 cm, 1.7 degrees
 constexpr int kPolishEvery = 10;
 constexpr double kPolishable = 0.1;  ///< metres: deeper overlaps take more than a polish
 constexpr std::size_t kMany = 64;    ///< more bodies than this are relocated all at once
@@ -30,7 +31,8 @@ struct Averaged {
   std::vector<double> turn_sum;
   std::vector<std::uint32_t> shifts, turns;
 
-  explicit Averaged(State& s) : x(s), shift_sum(s.bodies.size()), turn_sum(s.bodies.size()), shifts(s.bodies.size()), turns(s.bodies.size()) {}
+  explicit Averaged(State& s)
+      : x(s), shift_sum(s.bodies.size()), turn_sum(s.bodies.size()), shifts(s.bodies.size()), turns(s.bodies.size()) {}
   void shift(const Anchor& a, Vec2 d) {
     if (a.group()) {
       for (const std::uint32_t b : x.data->groups[a.index()].bodies) {
@@ -102,8 +104,8 @@ void Solver::begin() {
   if (options_.start == Start::random) return;
   begin_curves(placed);
   std::erase_if(todo, [&](std::uint32_t b) { return placed[b]; });
-  // Large before small, with some chance, so that starts differ. In a large scene equals go in the order of the document:
-  // members of one tier are neighbours in the room and so in memory.
+  // Large before small, with some chance, so that starts differ. In a large scene equals go in the order of the
+  // document: members of one tier are neighbours in the room and so in memory.
   std::vector<std::pair<double, std::uint32_t>> order;
   for (const std::uint32_t b : todo) {
     const double area = p_.data.bodies[b].area;
@@ -173,8 +175,8 @@ void Solver::pass(bool walls, bool others, Sink& sink) {
   flush(sink);
 }
 
-/// One iteration in the order of thesis table 5.1. Pairs are those of its beginning: what comes near within one iteration
-/// meets in the next, and score() looks afresh.
+/// One iteration in the order of thesis table 5.1. Pairs are those of its beginning: what comes near within one
+/// iteration meets in the next, and score() looks afresh.
 template <class Sink>
 void Solver::sweep(Sink& sink) {
   contacts_.refresh(x_);
@@ -314,8 +316,8 @@ void Solver::relocate_many(const std::vector<double>& load) {
   }
 }
 
-/// Ruin and recreate: the worst object (now and then any), with up to four of those about it, comes out and goes back in,
-/// the large ones first.
+/// Ruin and recreate: the worst object (now and then any), with up to four of those about it, comes out and goes back
+/// in, the large ones first.
 void Solver::relocate_few(const std::vector<double>& load) {
   std::vector<std::uint32_t> movable;
   double total = 0;
@@ -338,7 +340,8 @@ void Solver::relocate_few(const std::vector<double>& load) {
   const std::size_t count = std::min<std::size_t>(movable.size(), 1 + rng_.index(5));
   std::vector<std::pair<double, std::uint32_t>> out = {{-p_.data.bodies[worst].area * rng_.uniform(0.5, 2), worst}};
   for (std::size_t i = 1; i < count; ++i) {
-    const std::uint32_t b = rng_.uniform() < 0.7 ? nearest[i].second : movable[rng_.index(static_cast<std::uint32_t>(movable.size()))];
+    const std::uint32_t b =
+        rng_.uniform() < 0.7 ? nearest[i].second : movable[rng_.index(static_cast<std::uint32_t>(movable.size()))];
     if (std::ranges::none_of(out, [b](const auto& o) { return o.second == b; }))
       out.emplace_back(-p_.data.bodies[b].area * rng_.uniform(0.5, 2), b);
   }
@@ -354,11 +357,12 @@ void Solver::relocate_few(const std::vector<double>& load) {
   for (const auto& [key, b] : out) placer_->place(b, rng_, 24);
 }
 
-/// After a feasible layout has settled with somebody far from where the constraints want him: takes out whom they cost most,
-/// with neighbours, and keeps what comes out better.
+/// After a feasible layout has settled with somebody far from where the constraints want him: takes out whom they cost
+/// most, with neighbours, and keeps what comes out better.
 void Solver::refine(int& iteration) {
   const double good = kGood * std::sqrt(total_gamma());
-  for (int round = 0, fruitless = 0; round < kRefinements && fruitless < kFruitless && best_score_.energy > good && !cancelled(); ++round) {
+  for (int round = 0, fruitless = 0;
+       round < kRefinements && fruitless < kFruitless && best_score_.energy > good && !cancelled(); ++round) {
     const double before = best_score_.energy;
     x_.bodies = best_.bodies, x_.boxes = best_.boxes, x_.frames = best_.frames;
     placer_->reset(std::vector<bool>(p_.data.bodies.size(), true));
@@ -377,7 +381,9 @@ void Solver::refine(int& iteration) {
 
 int Solver::iteration_limit() const {
   const double n = static_cast<double>(p_.data.bodies.size());
-  return n <= kMany ? options_.max_iterations : std::max(std::min(1000, options_.max_iterations), static_cast<int>(options_.max_iterations * kMany / n));
+  return n <= kMany
+             ? options_.max_iterations
+             : std::max(std::min(1000, options_.max_iterations), static_cast<int>(options_.max_iterations * kMany / n));
 }
 
 Layout Solver::run(std::vector<TraceRow>* trace) {
@@ -403,7 +409,8 @@ Layout Solver::run(std::vector<TraceRow>* trace) {
     relocated = false;
     if (best_score_.feasible() != was_feasible) energy_mark = 1e300;
     ++since_energy, ++since_violation;
-    if (best_score_.energy < energy_mark - std::max(visible, energy_mark * kImprovement)) energy_mark = best_score_.energy, since_energy = 0;
+    if (best_score_.energy < energy_mark - std::max(visible, energy_mark * kImprovement))
+      energy_mark = best_score_.energy, since_energy = 0;
     if (s.violation < kProgress * violation_mark) violation_mark = s.violation, since_violation = 0;
     if (s.feasible() && s.slack < kSettled) break;
     // Overlaps that soft constraints keep opening fade only as 1 / l: see now and then whether they can be had at once.

@@ -6,9 +6,9 @@ namespace inhabit::layout {
 
 /// One start of the solver: everything it needs, nothing shared, so that starts run side by side.
 ///
-/// Between the rounds of projection (thesis table 5.1, with the schedules of pbd/stiffness.h) come three things that the
-/// papers do not have, each because it measured better (docs/results.md): a start that places one object after the other;
-/// relocation of what has stopped getting freer; and a last polish by boundary and collisions alone.
+/// Between the rounds of projection (thesis table 5.1, with the schedules of pbd/stiffness.h) come three things that
+/// the papers do not have, each because it measured better (docs/results.md): a start that places one object after the
+/// other; relocation of what has stopped getting freer; and a last polish by boundary and collisions alone.
 class Solver {
  public:
   /// `start` is the number of the random restart; the same (seed, start) gives the same bits.

@@ -13,8 +13,8 @@ enum class Schedule {
   increasing,  ///< k_l = 1 - (1 - k0)^(l / M): collisions. Our reading of "increases": it must tend to 1
 };
 
-/// Stiffness in [0, 1] of iteration l = 1, 2, … Rounded to 2^-30, so that the last bit of the C library's pow, which differs
-/// between processors, cannot reach a result. Requires: 0 <= k0 <= 1, rate >= 1, l >= 1.
+/// Stiffness in [0, 1] of iteration l = 1, 2, … Rounded to 2^-30, so that the last bit of the C library's pow, which
+/// differs between processors, cannot reach a result. Requires: 0 <= k0 <= 1, rate >= 1, l >= 1.
 inline double stiffness(Schedule schedule, double k0, double rate, int l) {
   double k = k0;
   if (schedule == Schedule::decreasing) k = 1 - std::pow(1 - k0, rate / l);
@@ -25,7 +25,8 @@ inline double stiffness(Schedule schedule, double k0, double rate, int l) {
 /// Over-relaxation of averaged corrections (TVCG 3.1, after Macklin et al. 2014).
 constexpr double kAveraging = 1.2;
 
-/// Step of one particle along a unit gradient that it shares with others: -k w C / sum(w). Nothing when everyone is pinned.
+/// Step of one particle along a unit gradient that it shares with others: -k w C / sum(w). Nothing when everyone is
+/// pinned.
 inline double share(double w, double sum) { return sum > 0 ? w / sum : 0; }
 
 }  // namespace inhabit::pbd

@@ -4,8 +4,9 @@
 #include "core/type_list.h"
 #include "scene/field.h"
 
-/// The parameters of every constraint: what a scene document says about it. What it means (error and projection) stands in
-/// layout/constraints/, one file per kind; simulated annealing reads the same parameters. Equation numbers: docs/papers.md.
+/// The parameters of every constraint: what a scene document says about it. What it means (error and projection) stands
+/// in layout/constraints/, one file per kind; simulated annealing reads the same parameters. Equation numbers:
+/// docs/papers.md.
 namespace inhabit::scene {
 
 /// How strongly a constraint is held; absent: the kind's default.
@@ -58,10 +59,13 @@ struct TrafficLane : Strength {
   static constexpr std::string_view kName = "traffic_lane";
   static constexpr std::array kFields = {
       Field<TrafficLane>{"from", &TrafficLane::from, "the object that the lane starts at", "", 0, 0, true},
-      Field<TrafficLane>{"angle", &TrafficLane::angle, "direction of the lane, from the object's front", "rad", -2 * kPi, 2 * kPi},
-      Field<TrafficLane>{"clearance", &TrafficLane::clearance, "smallest distance of a member's centre from the lane's middle", "m", 0, 1e4},
+      Field<TrafficLane>{"angle", &TrafficLane::angle, "direction of the lane, from the object's front", "rad",
+                         -2 * kPi, 2 * kPi},
+      Field<TrafficLane>{"clearance", &TrafficLane::clearance,
+                         "smallest distance of a member's centre from the lane's middle", "m", 0, 1e4},
       Field<TrafficLane>{"members", &TrafficLane::members, "who stays out of it", "", 0, 0, true},
-      Field<TrafficLane>{"from_fixed", &TrafficLane::from_fixed, "this constraint never moves the object it starts at"}};
+      Field<TrafficLane>{"from_fixed", &TrafficLane::from_fixed,
+                         "this constraint never moves the object it starts at"}};
 };
 
 /// The members' centre of mass at a point of the room, or of the object they stand on (TVCG eq. 9, corrected).
@@ -74,7 +78,8 @@ struct HeatPoint : Strength {
   static constexpr std::array kFields = {
       Field<HeatPoint>{"members", &HeatPoint::members, "whose centre of mass", "", 0, 0, true},
       Field<HeatPoint>{"point", &HeatPoint::point, "where it should be", "m", -1e5, 1e5, true},
-      Field<HeatPoint>{"on", &HeatPoint::on, "`point` is (to the front, to the left) of this object's centre and moves with it"},
+      Field<HeatPoint>{"on", &HeatPoint::on,
+                       "`point` is (to the front, to the left) of this object's centre and moves with it"},
       Field<HeatPoint>{"on_fixed", &HeatPoint::on_fixed, "this constraint never moves that object"}};
 };
 
@@ -118,8 +123,10 @@ struct WallOrientation : Strength {
   static constexpr std::string_view kName = "wall_orientation";
   static constexpr std::array kFields = {
       Field<WallOrientation>{"members", &WallOrientation::members, "who is turned", "", 0, 0, true},
-      Field<WallOrientation>{"angle", &WallOrientation::angle, "heading, from the wall's inward normal", "rad", -2 * kPi, 2 * kPi},
-      Field<WallOrientation>{"wall", &WallOrientation::wall, "number of the wall; the nearest one when absent", "", 0, 1e6}};
+      Field<WallOrientation>{"angle", &WallOrientation::angle, "heading, from the wall's inward normal", "rad",
+                             -2 * kPi, 2 * kPi},
+      Field<WallOrientation>{"wall", &WallOrientation::wall, "number of the wall; the nearest one when absent", "", 0,
+                             1e6}};
 };
 
 /// Heading relative to another object: looking at it (`bearing`) or along its own heading (`parallel`) (TVCG eq. 16).
@@ -132,8 +139,11 @@ struct Orientation : Strength {
   static constexpr std::array kFields = {
       Field<Orientation>{"members", &Orientation::members, "who is turned", "", 0, 0, true},
       Field<Orientation>{"to", &Orientation::to, "the object they look at or run parallel to", "", 0, 0, true},
-      Field<Orientation>{"angle", &Orientation::angle, "offset from that heading; 180 = back turned", "rad", -2 * kPi, 2 * kPi},
-      Field<Orientation>{"relative", &Orientation::relative, "to the bearing of the other object, or parallel to its heading", "", 0, 0, false, "bearing|parallel"}};
+      Field<Orientation>{"angle", &Orientation::angle, "offset from that heading; 180 = back turned", "rad", -2 * kPi,
+                         2 * kPi},
+      Field<Orientation>{"relative", &Orientation::relative,
+                         "to the bearing of the other object, or parallel to its heading", "", 0, 0, false,
+                         "bearing|parallel"}};
 };
 
 /// One object on top of another: z, and x and y equal or anywhere on its top (TVCG eq. 18, 19).
@@ -152,9 +162,8 @@ struct Region : Strength {
   Members members;
   Ring polygon;
   static constexpr std::string_view kName = "region";
-  static constexpr std::array kFields = {
-      Field<Region>{"members", &Region::members, "who stays inside", "", 0, 0, true},
-      Field<Region>{"polygon", &Region::polygon, "the zone", "m", -1e6, 1e6, true}};
+  static constexpr std::array kFields = {Field<Region>{"members", &Region::members, "who stays inside", "", 0, 0, true},
+                                         Field<Region>{"polygon", &Region::polygon, "the zone", "m", -1e6, 1e6, true}};
 };
 
 /// Members (all when absent) stay out of a polygon.
@@ -164,7 +173,8 @@ struct KeepOut : Strength {
   static constexpr std::string_view kName = "keep_out";
   static constexpr std::array kFields = {
       Field<KeepOut>{"members", &KeepOut::members, "who stays out; all objects when absent"},
-      Field<KeepOut>{"polygon", &KeepOut::polygon, "the zone; not convex is taken as its convex parts", "m", -1e6, 1e6, true}};
+      Field<KeepOut>{"polygon", &KeepOut::polygon, "the zone; not convex is taken as its convex parts", "m", -1e6, 1e6,
+                     true}};
 };
 
 /// Members in one line: equal coordinates across the axis.
@@ -216,7 +226,8 @@ struct Collision : Strength {
   static constexpr std::string_view kName = "collision";
   static constexpr std::array kFields = {
       Field<Collision>{"members", &Collision::members, "whose collisions with each other; everyone's when absent"},
-      Field<Collision>{"mode", &Collision::mode, "oriented boxes, the papers' bounding circles, or none", "", 0, 0, false, "box|sphere|off"}};
+      Field<Collision>{"mode", &Collision::mode, "oriented boxes, the papers' bounding circles, or none", "", 0, 0,
+                       false, "box|sphere|off"}};
 };
 
 /// Every constraint there is, in the order in which they are projected. This line is the only registration of a kind.
@@ -231,7 +242,9 @@ struct Constraints {
   std::vector<std::pair<std::uint16_t, std::uint32_t>> order;
 
   template <class T>
-  const std::vector<T>& of() const { return std::get<std::vector<T>>(arrays); }
+  const std::vector<T>& of() const {
+    return std::get<std::vector<T>>(arrays);
+  }
   template <class T>
   void add(T constraint) {
     std::uint16_t kind = 0, k = 0;

@@ -23,7 +23,8 @@ struct Ref {
   friend constexpr bool operator==(const Ref&, const Ref&) = default;
 };
 
-/// A list of objects and groups, or (`all_of` set) every member of one group. In a file: an array of ids, or one group's id.
+/// A list of objects and groups, or (`all_of` set) every member of one group. In a file: an array of ids, or one
+/// group's id.
 struct Members {
   std::vector<Ref> list;
   Ref all_of;

@@ -64,23 +64,25 @@ enum class Lock { none, position, angle, both };
 
 struct Object {
   std::string id, kind, name;
-  Vec3 size{0.5, 0.5, 0.5};       ///< width across the front, depth front to back, height
-  std::optional<Vec3> position;   ///< centre of the footprint, height of the base; absent: anywhere
-  std::optional<double> angle;    ///< where the front faces; absent: any
-  std::optional<double> elevation;  ///< height of the base while there is no position; absent: on what carries it, or by its mount
+  Vec3 size{0.5, 0.5, 0.5};      ///< width across the front, depth front to back, height
+  std::optional<Vec3> position;  ///< centre of the footprint, height of the base; absent: anywhere
+  std::optional<double> angle;   ///< where the front faces; absent: any
+  std::optional<double>
+      elevation;  ///< height of the base while there is no position; absent: on what carries it, or by its mount
   bool fixed = false;
   Lock lock = Lock::none;
   Clearance clearance;
   std::optional<View> view;
   Mount mount = Mount::floor;
-  Ref on;                         ///< what carries it
-  std::optional<double> mass;     ///< absent: the box's volume
+  Ref on;                      ///< what carries it
+  std::optional<double> mass;  ///< absent: the box's volume
   std::string model;
   Extras extras;
   friend bool operator==(const Object&, const Object&) = default;
 };
 
-/// Members are pulled onto the segment, or the circular arc about `center` that runs counter-clockwise from start to end.
+/// Members are pulled onto the segment, or the circular arc about `center` that runs counter-clockwise from start to
+/// end.
 struct Curve {
   enum class Kind { segment, arc } kind = Kind::segment;
   Vec2 start, end, center;
@@ -88,8 +90,8 @@ struct Curve {
   friend bool operator==(const Curve&, const Curve&) = default;
 };
 
-/// Objects and groups that belong together; a particle of its own. In a rigid group the members' positions and angles give
-/// its shape, and the whole starts at random unless the group itself has a `position`.
+/// Objects and groups that belong together; a particle of its own. In a rigid group the members' positions and angles
+/// give its shape, and the whole starts at random unless the group itself has a `position`.
 struct Group {
   std::string id;
   std::vector<Ref> members;
@@ -160,10 +162,14 @@ struct Scene {
   const std::string& id_of(Ref ref) const {
     static const std::string kNone;
     switch (ref.kind) {
-      case Ref::Kind::object: return objects[ref.index].id;
-      case Ref::Kind::group: return groups[ref.index].id;
-      case Ref::Kind::door: return space.doors[ref.index].id;
-      case Ref::Kind::none: break;
+      case Ref::Kind::object:
+        return objects[ref.index].id;
+      case Ref::Kind::group:
+        return groups[ref.index].id;
+      case Ref::Kind::door:
+        return space.doors[ref.index].id;
+      case Ref::Kind::none:
+        break;
     }
     return kNone;
   }

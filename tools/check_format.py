@@ -7,50 +7,6 @@ import subprocess
 import sys
 
 SKIPPED = 77
-# Files from before this check. May only shrink.
-DEBT = set("""
-core/angle.cpp
-core/angle.h
-core/core_test.cpp
-core/text.cpp
-fuzz/sweethome3d.cpp
-geometry/box.h
-geometry/box_grid.h
-geometry/convex.h
-geometry/geos.cpp
-geometry/overlay.cpp
-geometry/overlay.h
-layout/compile.cpp
-layout/constraint.h
-layout/constraint_table.h
-layout/constraints/align.h
-layout/constraints/center_of_mass.h
-layout/constraints/collision.h
-layout/constraints/curve.h
-layout/constraints/distance.h
-layout/constraints/orientation.h
-layout/constraints/region.h
-layout/constraints/stacking.h
-layout/constraints/traffic_lane.h
-layout/constraints/wall.h
-layout/constraints/zone.h
-layout/contacts.cpp
-layout/contacts.h
-layout/furnish.cpp
-layout/furnish.h
-layout/particles.h
-layout/placer.cpp
-layout/placer.h
-layout/problem.h
-layout/residuals.cpp
-layout/room.h
-layout/solver.cpp
-layout/solver.h
-pbd/stiffness.h
-scene/constraint_kinds.h
-scene/field.h
-scene/scene.h
-""".split())
 
 
 def main(root: pathlib.Path) -> int:
@@ -66,13 +22,9 @@ def main(root: pathlib.Path) -> int:
     names = listed.stdout.split()
     dry = subprocess.run([program, "--dry-run", *names], cwd=root, capture_output=True, text=True)
     unformatted = set(re.findall(r"^([^:\n]+):\d+:\d+: warning", dry.stderr, re.MULTILINE))
-    wrong = sorted(unformatted - DEBT)
-    clean = sorted((DEBT & set(names)) - unformatted)
-    for name in wrong:
+    for name in sorted(unformatted):
         print(f"{name}: clang-format -i {name}")
-    for name in clean:
-        print(f"{name}: is formatted now; take it out of the list in tools/check_format.py")
-    return 1 if wrong else 0
+    return 1 if unformatted else 0
 
 
 if __name__ == "__main__":

@@ -3,7 +3,8 @@
 
 namespace inhabit::layout {
 
-/// Two centres in one line along an axis: C = (p_a - p_b) . n, n across the axis. A list of members is held pair by pair.
+/// Two centres in one line along an axis: C = (p_a - p_b) . n, n across the axis. A list of members is held pair by
+/// pair.
 struct AlignTerm : Term {
   Anchor a, b;
   Vec2 normal{0, 1};
@@ -18,7 +19,9 @@ void project(const AlignTerm& c, const State& x, double k, Sink& sink) {
 }
 
 template <class F>
-void anchors(const AlignTerm& c, F f) { f(c.a), f(c.b); }
+void anchors(const AlignTerm& c, F f) {
+  f(c.a), f(c.b);
+}
 
 template <class Out>
 void expand(const scene::Align& c, Out& out) {

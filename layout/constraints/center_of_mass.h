@@ -3,13 +3,13 @@
 
 namespace inhabit::layout {
 
-/// The centre of mass mu of some particles at a target: a point (heat point), the nearest point of a focal object's front
-/// ray (focal symmetry), the room's centroid with footprints for masses (visual balance).
+/// The centre of mass mu of some particles at a target: a point (heat point), the nearest point of a focal object's
+/// front ray (focal symmetry), the room's centroid with footprints for masses (visual balance).
 ///
 ///   C = |mu - t|,  every member moves by -k (mu - t)                [TVCG eq. 9-12, thesis eq. 5.8, 5.10, 5.13]
 ///
-/// Deviation: TVCG's C = |mu - t|^2 / 2 only halves the distance at each projection, and the thesis's gradient (1, 1) is no
-/// gradient. Members that are pinned leave their part to the others, at most four times their own.
+/// Deviation: TVCG's C = |mu - t|^2 / 2 only halves the distance at each projection, and the thesis's gradient (1, 1)
+/// is no gradient. Members that are pinned leave their part to the others, at most four times their own.
 struct CenterTerm : Term {
   enum class Target { point, front_ray, room } target = Target::point;
   Vec2 point;

@@ -3,8 +3,8 @@
 
 namespace inhabit::layout {
 
-/// How two boxes overlap: the separating-axis test (`box`), or the papers' bounding circles, tested only where the boxes
-/// intersect (`sphere`).
+/// How two boxes overlap: the separating-axis test (`box`), or the papers' bounding circles, tested only where the
+/// boxes intersect (`sphere`).
 ///
 ///   C = |p_i - p_j| - (r_i + r_j) >= 0                              [TVCG eq. 15]
 ///

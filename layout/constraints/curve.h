@@ -6,9 +6,9 @@
 
 namespace inhabit::layout {
 
-/// The members of a curve group on their segment or arc, evenly spaced in the order of the curve's parameter (TVCG 3.2).
-/// The nearest point of the curve has infinite mass; spacing is a distance between neighbours, odd pairs first, then even
-/// ones. A segment without end points is the medial axis of the members' bounding box.
+/// The members of a curve group on their segment or arc, evenly spaced in the order of the curve's parameter
+/// (TVCG 3.2). The nearest point of the curve has infinite mass; spacing is a distance between neighbours, odd pairs
+/// first, then even ones. A segment without end points is the medial axis of the members' bounding box.
 struct CurveTerm : Term {
   std::uint32_t group = 0;
   std::vector<Anchor> members;
@@ -23,11 +23,11 @@ namespace detail {
 struct PlacedCurve {
   Curve::Kind kind = Curve::Kind::segment;
   Vec2 start, end, center;
-  Vec2 r, e;              ///< arc: from the centre to its ends
-  double radius = 0;      ///< of the arc
-  bool reflex = false;    ///< the arc spans more than half a turn
-  Vec2 along;             ///< segment: unit
-  double length = 0;      ///< of the segment
+  Vec2 r, e;            ///< arc: from the centre to its ends
+  double radius = 0;    ///< of the arc
+  bool reflex = false;  ///< the arc spans more than half a turn
+  Vec2 along;           ///< segment: unit
+  double length = 0;    ///< of the segment
 
   explicit PlacedCurve(const Curve& c) : kind(c.kind), start(c.start), end(c.end), center(c.center) {
     if (kind == Curve::Kind::segment) {
@@ -93,7 +93,8 @@ inline OnCurve nearest_on_curve(const PlacedCurve& c, Vec2 p) {
   }
   const Vec2 v = p - c.center;
   const double distance = length(v);
-  // Within the sweep: counter-clockwise of the start and clockwise of the end; for more than half a turn, either of them.
+  // Within the sweep: counter-clockwise of the start and clockwise of the end; for more than half a turn, either of
+  // them.
   const bool after_start = cross(c.r, v) >= 0, before_end = cross(v, c.e) >= 0;
   if (distance > 0 && (c.reflex ? after_start || before_end : after_start && before_end)) {
     // Of v, not of the point: its cross product with r has the sign that was tested.

@@ -32,7 +32,9 @@ void project(const DistanceTerm& c, const State& x, double k, Sink& sink) {
 }
 
 template <class F>
-void anchors(const DistanceTerm& c, F f) { f(c.a), f(c.b); }
+void anchors(const DistanceTerm& c, F f) {
+  f(c.a), f(c.b);
+}
 
 template <class Scene, class Out>
 void expand_distance(const Scene& c, Ref a, Ref b, bool b_pinned, Out& out) {
@@ -45,7 +47,9 @@ void expand_distance(const Scene& c, Ref a, Ref b, bool b_pinned, Out& out) {
 }
 
 template <class Out>
-void expand(const scene::Distance& c, Out& out) { expand_distance(c, c.between[0], c.between[1], false, out); }
+void expand(const scene::Distance& c, Out& out) {
+  expand_distance(c, c.between[0], c.between[1], false, out);
+}
 
 template <class Out>
 void expand(const scene::FocalDistance& c, Out& out) {

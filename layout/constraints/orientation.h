@@ -29,7 +29,9 @@ void project(const OrientationTerm& c, const State& x, double k, Sink& sink) {
 }
 
 template <class F>
-void anchors(const OrientationTerm& c, F f) { f(c.a), f(c.to); }
+void anchors(const OrientationTerm& c, F f) {
+  f(c.a), f(c.to);
+}
 
 template <class Out>
 void expand(const scene::Orientation& c, Out& out) {

@@ -37,7 +37,9 @@ void project(const RegionTerm& c, const State& x, double k, Sink& sink) {
 }
 
 template <class F>
-void anchors(const RegionTerm& c, F f) { f(c.a); }
+void anchors(const RegionTerm& c, F f) {
+  f(c.a);
+}
 
 template <class Out>
 void expand(const scene::Region& c, Out& out) {

@@ -7,9 +7,9 @@ namespace inhabit::layout {
 ///
 ///   C = p_upper - p_lower = 0 in x and y                            [TVCG eq. 19]
 ///
-/// z needs no projection: z_upper = z_lower + h_lower (TVCG eq. 18, with z the base here) is set once, since nothing else
-/// moves objects vertically. `anywhere`: the box of the upper object stays on the top of the lower one where it fits,
-/// otherwise its centre does.
+/// z needs no projection: z_upper = z_lower + h_lower (TVCG eq. 18, with z the base here) is set once, since nothing
+/// else moves objects vertically. `anywhere`: the box of the upper object stays on the top of the lower one where it
+/// fits, otherwise its centre does.
 struct StackingTerm : Term {
   Anchor upper, lower;
   Vec3 upper_size, lower_size;
@@ -40,7 +40,9 @@ void project(const StackingTerm& c, const State& x, double k, Sink& sink) {
 }
 
 template <class F>
-void anchors(const StackingTerm& c, F f) { f(c.upper), f(c.lower); }
+void anchors(const StackingTerm& c, F f) {
+  f(c.upper), f(c.lower);
+}
 
 template <class Out>
 void expand(const scene::Stacking& c, Out& out) {

@@ -7,9 +7,9 @@ namespace inhabit::layout {
 ///
 ///   C = |p - v(p)| - d >= 0,  v(p) the nearest point of the ray from p_j along theta_j + angle     [TVCG eq. 7, 8]
 ///
-/// v(p) is a ghost rigidly attached to j and shares its inverse mass (0 to leave j alone). Deviation: behind the start of
-/// the ray the nearest point is p_j itself, where the print projects onto the whole line. A centre exactly on the lane
-/// leaves to the left.
+/// v(p) is a ghost rigidly attached to j and shares its inverse mass (0 to leave j alone). Deviation: behind the start
+/// of the ray the nearest point is p_j itself, where the print projects onto the whole line. A centre exactly on the
+/// lane leaves to the left.
 struct TrafficLaneTerm : Term {
   Anchor member, from;
   Vec2 heading;  ///< of the lane, in the frame of `from`
@@ -43,7 +43,9 @@ void project(const TrafficLaneTerm& c, const State& x, double k, Sink& sink) {
 }
 
 template <class F>
-void anchors(const TrafficLaneTerm& c, F f) { f(c.member), f(c.from); }
+void anchors(const TrafficLaneTerm& c, F f) {
+  f(c.member), f(c.from);
+}
 
 template <class Out>
 void expand(const scene::TrafficLane& c, Out& out) {

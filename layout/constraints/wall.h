@@ -7,13 +7,14 @@ namespace inhabit::layout {
 ///
 ///   C = |b - p_wall| - d,  b the back face's centre                 [TVCG eq. 13]
 ///
-/// Deviation: TVCG measures from the object's centre. Outside the room the distance counts as negative, so that an object
-/// behind the wall is drawn in.
+/// Deviation: TVCG measures from the object's centre. Outside the room the distance counts as negative, so that an
+/// object behind the wall is drawn in.
 struct WallDistanceTerm : Term {
   Anchor a;
   double half_depth = 0, distance = 0;
   std::optional<int> wall;
-  static constexpr TermTraits kTraits{.pass = Pass::walls, .schedule = pbd::Schedule::constant, .stiffness = 1, .gamma = 20};
+  static constexpr TermTraits kTraits{
+      .pass = Pass::walls, .schedule = pbd::Schedule::constant, .stiffness = 1, .gamma = 20};
 };
 
 /// The heading relative to the inward normal of the nearest wall (of the back face's centre): 0 = back to the wall.
@@ -62,9 +63,13 @@ void project(const WallOrientationTerm& c, const State& x, double k, Sink& sink)
 }
 
 template <class F>
-void anchors(const WallDistanceTerm& c, F f) { f(c.a); }
+void anchors(const WallDistanceTerm& c, F f) {
+  f(c.a);
+}
 template <class F>
-void anchors(const WallOrientationTerm& c, F f) { f(c.a); }
+void anchors(const WallOrientationTerm& c, F f) {
+  f(c.a);
+}
 
 template <class Out>
 void expand(const scene::WallDistance& c, Out& out) {

@@ -3,19 +3,19 @@
 
 namespace inhabit::layout {
 
-/// A convex part of the floor that boxes stay out of: the accessible space in front of a face, a door's swing, a corridor, a
-/// view cone, a keep-out polygon. It rides on its owner, or stands in the room.
+/// A convex part of the floor that boxes stay out of: the accessible space in front of a face, a door's swing, a
+/// corridor, a view cone, a keep-out polygon. It rides on its owner, or stands in the room.
 ///
 ///   C = |p_i - a_jk| - (b_i + ad_jk) >= 0, active only where box i meets the space     [TVCG eq. 14]
 ///
-/// `by_box` (the default) uses the depth of the separating-axis test for C instead: the papers' spheres push an object by
-/// up to a diagonal where centimetres would do, which tight rooms do not have. `sphere` is the paper's own form.
+/// `by_box` (the default) uses the depth of the separating-axis test for C instead: the papers' spheres push an object
+/// by up to a diagonal where centimetres would do, which tight rooms do not have. `sphere` is the paper's own form.
 struct Zone : Term {
   std::optional<Anchor> owner;
-  Box box;                     ///< in the owner's frame, or in the room
-  Ring ring;                   ///< instead of the box, in the room: convex, counter-clockwise
-  double radius = 0;           ///< of the circle about the centre that holds it
-  double low = 0, high = 1e9;  ///< z range
+  Box box;                            ///< in the owner's frame, or in the room
+  Ring ring;                          ///< instead of the box, in the room: convex, counter-clockwise
+  double radius = 0;                  ///< of the circle about the centre that holds it
+  double low = 0, high = 1e9;         ///< z range
   std::vector<std::uint32_t> only;    ///< boxes that it concerns, sorted; all when empty
   std::vector<std::uint32_t> exempt;  ///< boxes that may stand in it, sorted
   std::string_view type = "accessibility";
@@ -38,7 +38,8 @@ inline Vec2 zone_center(const Zone& z, const State& x) {
 
 /// How far and whither a box has to move to leave the zone.
 inline Separation zone_separation(const Zone& z, const Box& box, const State& x, bool sphere) {
-  const Separation s = z.ring.empty() ? separation(box, zone_box(z, x)) : separation(box, std::span<const Vec2>(z.ring));
+  const Separation s =
+      z.ring.empty() ? separation(box, zone_box(z, x)) : separation(box, std::span<const Vec2>(z.ring));
   if (!sphere || s.depth <= 0) return s;
   const Vec2 d = box.center - zone_center(z, x);
   const double l = length(d);
@@ -51,17 +52,22 @@ namespace detail {
 inline Box face_zone(const Vec3& size, int face, double depth) {
   const double hd = size.y / 2, hw = size.x / 2, h = depth / 2;
   switch (face) {
-    case 0: return {{-hd - h, 0}, {1, 0}, h, hw};
-    case 1: return {{0, hw + h}, {1, 0}, hd, h};
-    case 2: return {{hd + h, 0}, {1, 0}, h, hw};
-    default: return {{0, -hw - h}, {1, 0}, hd, h};
+    case 0:
+      return {{-hd - h, 0}, {1, 0}, h, hw};
+    case 1:
+      return {{0, hw + h}, {1, 0}, hd, h};
+    case 2:
+      return {{hd + h, 0}, {1, 0}, h, hw};
+    default:
+      return {{0, -hw - h}, {1, 0}, hd, h};
   }
 }
 
 }  // namespace detail
 
 template <class Out>
-void add_face_zone(Ref object, int face, double depth, std::string_view type, const Members& only, const Strength* s, Out& out) {
+void add_face_zone(Ref object, int face, double depth, std::string_view type, const Members& only, const Strength* s,
+                   Out& out) {
   if (depth <= 0) return;
   Zone z;
   z.owner = out.anchor(object);
@@ -90,7 +96,9 @@ void add_ring_zone(const Ring& ring, std::string_view type, const Members& only,
 }
 
 template <class Out>
-void expand(const scene::KeepOut& c, Out& out) { add_ring_zone(c.polygon, "keep_out", c.members, &c, out); }
+void expand(const scene::KeepOut& c, Out& out) {
+  add_ring_zone(c.polygon, "keep_out", c.members, &c, out);
+}
 
 /// The straight corridor between the inner middles of two doors (Yu et al. 2011 bend theirs along a Bezier curve).
 template <class Out>
@@ -116,7 +124,8 @@ void expand(const scene::Visibility& c, Out& out) {
     Zone z;
     z.owner = out.anchor(m);
     z.type = "visibility";
-    z.box = {{size.y / 2 + view->distance / 2, 0}, {1, 0}, view->distance / 2, view->distance / 2 * half.sin / half.cos};
+    z.box = {
+        {size.y / 2 + view->distance / 2, 0}, {1, 0}, view->distance / 2, view->distance / 2 * half.sin / half.cos};
     z.radius = z.box.radius();
     out.add_zone(std::move(z), m, Members{}, &c);
   }
