@@ -42,8 +42,12 @@ struct BenchGroupRow {
   std::string_view name, sentence;
   Result<BenchGroup> (*run)(const BenchOptions&);
 };
-/// Every group there is: table1, growth, tight, interactive, residuals, rooms.
+/// Every group there is, in the order in which they run.
 std::vector<BenchGroupRow> bench_groups();
+
+/// Processor time of this thread so far. Every time here is a difference of two of them: what else the machine does
+/// does not count, and with one thread it is what a quiet machine's clock would show.
+double processor_milliseconds();
 
 /// CPU model, cores, compiler, build: what a time means something on.
 Table machine_table();
@@ -53,6 +57,7 @@ Result<BenchGroup> bench_growth(const BenchOptions& options);
 Result<BenchGroup> bench_tight(const BenchOptions& options);
 Result<BenchGroup> bench_interactive(const BenchOptions& options);
 Result<BenchGroup> bench_residuals(const BenchOptions& options);
+Result<BenchGroup> bench_memory(const BenchOptions& options);
 Result<BenchGroup> bench_rooms(const BenchOptions& options);
 
 /// One scene furnished from seeds 1 … `seeds`.

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <chrono>
 
 #include "core/rng.h"
 #include "session/bench.h"
@@ -28,11 +27,11 @@ Result<std::vector<double>> drag_times(const Scene& furnished, const BenchOption
     layout.start = layout::Start::given;
     layout.starts = layout.threads = 1;
     layout.cancel = options.cancel;
-    const auto begin = std::chrono::steady_clock::now();
+    const double begin = processor_milliseconds();
     const Result<layout::Outcome> outcome = layout::furnish(scene, layout);
-    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+    const double took = processor_milliseconds() - begin;
     if (!outcome) return outcome.error();
-    times.push_back(took.count());
+    times.push_back(took);
     feasible += outcome->best.feasible;
   }
   return times;
