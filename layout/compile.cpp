@@ -7,15 +7,16 @@ namespace inhabit::layout {
 namespace {
 
 void find_followers(Problem& p) {
-  p.followers.resize(p.data.bodies.size());
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   const auto follows = [&](const Anchor& upper, const Anchor& lower) {
     if (upper.group() || lower.group() || upper.body == lower.body || p.data.bodies[upper.body].w <= 0) return;
-    p.followers[lower.body].push_back(upper.body);
+    pairs.emplace_back(lower.body, upper.body);
   };
   for (const StackingTerm& c : p.of<StackingTerm>()) follows(c.upper, c.lower);
   for (const CenterTerm& c : p.of<CenterTerm>()) {
     if (c.on && c.target == CenterTerm::Target::point && c.members.size() == 1) follows(c.members.front(), *c.on);
   }
+  p.followers = Lists<std::uint32_t>(p.data.bodies.size(), pairs);
 }
 
 /// Which terms and zones concern each body.
@@ -41,14 +42,27 @@ void index_terms(Problem& p) {
     p.touching.insert(p.touching.end(), list.begin(), list.end());
     p.touching_first.push_back(static_cast<std::uint32_t>(p.touching.size()));
   }
-  p.zones_of_body.resize(p.data.bodies.size());
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> riding;
   for (std::uint32_t z = 0; z < p.zones.size(); ++z) {
     if (p.zones[z].owner && !p.zones[z].owner->group()) {
-      p.zones_of_body[p.zones[z].owner->body].push_back(z);
+      riding.emplace_back(p.zones[z].owner->body, z);
     } else {
       p.room_zones.push_back(z);
     }
   }
+  p.zones_of_body = Lists<std::uint32_t>(p.data.bodies.size(), riding);
+}
+
+/// Gives back what growing vectors reserved: a large scene's problem lives as long as its document is open.
+void trim(Problem& p) {
+  for_each_type(TermTypes{},
+                [&]<class T>(std::type_identity<T>) { std::get<std::vector<T>>(p.terms).shrink_to_fit(); });
+  for (auto& list : p.origins) list.shrink_to_fit();
+  p.zones.shrink_to_fit(), p.zone_owner.shrink_to_fit(), p.touching.shrink_to_fit(), p.touching_first.shrink_to_fit();
+  p.data.bodies.shrink_to_fit(), p.data.boxes.shrink_to_fit(), p.data.riders.shrink_to_fit(), p.start.shrink_to_fit();
+  for (GroupData& g : p.data.groups) g.bodies.shrink_to_fit();
+  for (CenterTerm& c : std::get<std::vector<CenterTerm>>(p.terms)) c.members.shrink_to_fit(), c.masses.shrink_to_fit();
+  for (Zone& z : p.zones) z.exempt.shrink_to_fit(), z.only.shrink_to_fit();
 }
 
 }  // namespace
@@ -66,6 +80,7 @@ Result<Problem> compile(const Scene& scene) {
   expand_constraints(scene, p);
   index_terms(p);
   find_followers(p);
+  trim(p);
   return p;
 }
 

@@ -22,14 +22,15 @@ constexpr double kFits = 0.01;
 
 Placer::Placer(const Problem& problem, State& x) : p_(problem), x_(x) {
   const std::size_t n = p_.data.bodies.size();
-  shares_.resize(n);
+  std::vector<std::pair<std::uint32_t, Share>> shares;
   const auto& centers = p_.of<CenterTerm>();
   for (std::uint32_t t = 0; t < centers.size(); ++t) {
     for (std::size_t i = 0; i < centers[t].members.size(); ++i) {
       const Anchor& a = centers[t].members[i];
-      if (!a.group()) shares_[a.body].push_back({t, centers[t].masses[i], a});
+      if (!a.group()) shares.emplace_back(a.body, Share{t, centers[t].masses[i], a});
     }
   }
+  shares_ = Lists<Share>(n, shares);
   center_sum_.resize(centers.size());
   center_mass_.resize(centers.size());
   reach_.resize(n);

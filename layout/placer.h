@@ -52,7 +52,7 @@ class Placer {
   const Problem& p_;
   State& x_;
   std::vector<bool> placed_;
-  std::vector<std::vector<Share>> shares_;  ///< centre-of-mass terms of each body
+  core::Lists<Share> shares_;  ///< centre-of-mass terms of each body
   std::vector<Vec2> center_sum_;
   std::vector<double> center_mass_;
   /// A grid of the small bodies as linked lists; the large ones are visited always.

@@ -1,6 +1,7 @@
 #pragma once
 #include <tuple>
 
+#include "core/lists.h"
 #include "layout/constraint_table.h"
 
 /// A scene made ready for the solver: particles, terms, zones. Compiled once, shared by all starts, never changed.
@@ -55,9 +56,9 @@ struct Problem {
   std::vector<std::uint32_t> touching_first;
   std::vector<TermId> touching;
   /// Who stands on each body, or has a place of its own beside it: they go along when it is taken elsewhere.
-  std::vector<std::vector<std::uint32_t>> followers;
-  std::vector<std::vector<std::uint32_t>> zones_of_body;  ///< zones that ride on it
-  std::vector<std::uint32_t> room_zones;                  ///< zones that ride on nobody
+  core::Lists<std::uint32_t> followers;
+  core::Lists<std::uint32_t> zones_of_body;  ///< zones that ride on it
+  std::vector<std::uint32_t> room_zones;     ///< zones that ride on nobody
 
   template <class T>
   const std::vector<T>& of() const {
