@@ -14,7 +14,7 @@ constexpr double kImprovement =
     1e-3;  ///< an energy lower by less than this share is no improvement (as TVCG 4.3 stops its annealing)
 constexpr double kSettled = 1e-3;  ///< residual that nobody sees: 1 mm, 0.06 degrees
 constexpr double kVisible = 2e-3;  ///< root mean square change of all residuals that nobody sees: 2 mm, 0.1 degrees
-constexpr int kWindow = 5;         ///< iterations over which a settled layout's energy stays within that change
+constexpr int kWindow = 4;         ///< iterations over which a settled layout's energy stays within that change
 constexpr int kRefinements = 12;   ///< relocations that look for a better energy once a layout is feasible
 constexpr int kSettling = 6;       ///< iterations after each
 constexpr int kFruitless = 3;      ///< so many without success end the search
