@@ -8,8 +8,8 @@ if [ $# -ne 3 ]; then
   echo "usage: $0 INHABIT HOMES OUT" >&2
   exit 2
 fi
-inhabit=$1 home=$2/examples/3BedroomApartment.xml out=$3
-rooms=("Living room" "Bedroom #1")
+inhabit=$1 home=$2/examples/3BedroomHouseWithAttic.xml out=$3
+rooms=("Living Room" "Bedroom #1")
 afresh=(--start placed --house-rules --starts 30 --seed 1)
 
 if [ ! -f "$home" ]; then
