@@ -80,11 +80,12 @@ void Contacts::rebuild(const State& x) {
   built_at_.resize(n);
   Bounds b;
   for (std::size_t i = 0; i < n; ++i) built_at_[i] = x.boxes[i].center, b.add(built_at_[i]);
-  // A cell holds the reach of the widest small pair; sparse scenes get larger cells, so that there are at most 4 n of
-  // them.
+  // A cell holds the reach of the widest small pair; sparse scenes get larger cells, so that there are about 4 n of
+  // them, and no more than that along a row of things, whose extent has no area.
   const Vec2 extent = b.size();
   double cell = 2 * small_radius_ + margin_;
-  cell = std::max(cell, std::sqrt(std::max(1e-9, extent.x * extent.y) / (4.0 * static_cast<double>(n))));
+  const double most = 4.0 * static_cast<double>(n);
+  cell = std::max({cell, std::sqrt(extent.x * extent.y / most), std::max(extent.x, extent.y) / most});
   const auto columns = static_cast<std::int64_t>(extent.x / cell) + 1,
              rows = static_cast<std::int64_t>(extent.y / cell) + 1;
   // Truncation is floor here: nothing lies below the bounds' corner, and queries that do are clamped to it.

@@ -225,10 +225,12 @@ constexpr int kTriangles[12][3] = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}, {
 
 OpeningOcclusion occlusion(const Solids& solids, const std::string& id, bool door, const DoorFrame& at, double width,
                            double sill, double height, double extrude) {
-  constexpr double kPixelsPerMetre = 100;
-  const auto pixels = [](double metres) { return static_cast<int>(metres * kPixelsPerMetre); };
-  cv::Mat map = cv::Mat::zeros(std::max(1, static_cast<int>(std::ceil(height * kPixelsPerMetre))),
-                               std::max(1, static_cast<int>(std::ceil(width * kPixelsPerMetre))), CV_8UC1);
+  // A centimetre each, as the source has them, unless the opening is as large as no building has any.
+  constexpr double kPixelsPerMetre = 100, kMostPixels = 1e8;
+  const double scale = std::min(kPixelsPerMetre, std::sqrt(kMostPixels / (width * height)));
+  const auto pixels = [&](double metres) { return static_cast<int>(metres * scale); };
+  cv::Mat map = cv::Mat::zeros(std::max(1, static_cast<int>(std::ceil(height * scale))),
+                               std::max(1, static_cast<int>(std::ceil(width * scale))), CV_8UC1);
   OpeningOcclusion result{id, door, false, 0};
   const Box space{at.jamb + width / 2 * at.along + extrude / 2 * at.inward, at.inward, extrude / 2, width / 2};
   solids.grid.for_each_near(bounds(space), [&](std::uint32_t i) {

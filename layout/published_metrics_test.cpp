@@ -125,6 +125,17 @@ TEST_CASE("an opening is hidden by the share of its face that boxes in front of 
   CHECK(sceneeval_opening_clearance(scene)[1].share == doctest::Approx(1));
 }
 
+TEST_CASE("an opening of square kilometres takes no gigabytes") {
+  Scene scene = room(1e4, 1e4);
+  Window window;
+  window.id = "view", window.wall = 0, window.from = 0, window.width = 1e4, window.sill = 0, window.height = 1e3;
+  scene.space.windows.push_back(window);
+  add(scene, "tower", {2500, 1, 1e3}, {5000, 0.5, 0}, 90);
+  const auto list = sceneeval_opening_clearance(scene);
+  REQUIRE(list.size() == 1);
+  CHECK(list[0].share == doctest::Approx(0.25).epsilon(0.01));
+}
+
 TEST_CASE("out of bound means one per cent of the surface off the floor") {
   Scene scene = room(6, 6);
   add(scene, "in", {1, 1, 1}, {0.5, 3, 0});
