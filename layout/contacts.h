@@ -9,7 +9,8 @@ struct Score {
   double violation = 0;  ///< summed depth of overlaps and of boxes outside, metres
   double worst = 0;      ///< deepest of them
   double slack = 0;      ///< largest |C| of everything else, metres or radians
-  bool feasible() const { return worst <= 1e-3; }
+  /// A little stricter than the 1 mm of check: a corner that far beyond two walls at once is 1.4 times as far outside.
+  bool feasible() const { return worst <= 0.7e-3; }
   /// Feasible before infeasible, then by energy.
   bool better_than(const Score& b) const { return feasible() != b.feasible() ? feasible() : energy < b.energy; }
 };
