@@ -13,11 +13,11 @@ constexpr double kProgress = 0.85;  ///< what counts as clearly less: creeping o
 constexpr double kImprovement =
     1e-3;  ///< an energy lower by less than this share is no improvement (as TVCG 4.3 stops its annealing)
 constexpr double kSettled = 1e-3;  ///< residual that nobody sees: 1 mm, 0.06 degrees
-constexpr double kVisible = 2e-3;  ///< root mean square change of all residuals that nobody sees: 2 mm, 0.1 degrees
+constexpr double kVisible = 4e-3;  ///< root mean square change of all residuals that nobody sees: 4 mm, 0.2 degrees
 constexpr int kWindow = 4;         ///< iterations over which a settled layout's energy stays within that change
-constexpr int kRefinements = 12;   ///< relocations that look for a better energy once a layout is feasible
-constexpr int kSettling = 6;       ///< iterations after each
-constexpr int kFruitless = 3;      ///< so many without success end the search
+constexpr int kRefinements = 6;    ///< relocations that look for a better energy once a layout is feasible
+constexpr int kSettling = 5;       ///< iterations after each
+constexpr int kFruitless = 2;      ///< so many without success end the search
 constexpr double kGood = 0.03;     ///< root mean square residual that needs none: 3 cm, 1.7 degrees
 constexpr int kPolishEvery = 10;
 constexpr double kPolishable = 0.1;  ///< metres: deeper overlaps take more than a polish
@@ -392,8 +392,10 @@ Layout Solver::run(std::vector<TraceRow>* trace) {
   const bool relocates = placer_.has_value() && options_.relocation;
   const double visible = options_.paper ? 0 : kVisible * std::sqrt(total_gamma());
   const int limit = iteration_limit();
-  int iteration = 0, since_energy = 0, since_violation = 0, since_window = 0;
-  double energy_mark = 1e300, violation_mark = 1e300, low = 1e300, high = 0;
+  int iteration = 0, since_energy = 0, since_violation = 0;
+  double energy_mark = 1e300, violation_mark = 1e300;
+  std::array<double, kWindow + 1> window;
+  window.fill(1e300), window[0] = 0;
   bool relocated = false;
   // What is there already counts: a warm start may be as good as it gets.
   const Score first = score();
@@ -416,12 +418,11 @@ Layout Solver::run(std::vector<TraceRow>* trace) {
     // Overlaps that soft constraints keep opening fade only as 1 / l: see now and then whether they can be had at once.
     const bool tries_polish = !options_.paper && !s.feasible() && s.worst < kPolishable;
     if (tries_polish && iteration % kPolishEvery == 0) polish();
-    low = std::min(low, s.energy), high = std::max(high, s.energy);
-    if (high - low > visible) low = high = s.energy, since_window = 0;
-    if (++since_window > kWindow && !options_.paper) {
+    window[static_cast<std::size_t>(iteration) % window.size()] = s.energy;
+    const auto [low, high] = std::ranges::minmax(window);
+    if (high - low <= visible && !options_.paper) {
       if (tries_polish) polish();
       if (best_score_.feasible()) break;
-      low = high = s.energy, since_window = 0;
     }
     if (best_score_.feasible() || !relocates) {
       if (since_energy >= options_.patience) break;
