@@ -78,6 +78,15 @@ Status write_file_atomically(const std::filesystem::path& path, std::string_view
   return Done{};
 }
 
+Status can_write(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) return file_error(path, "is a folder, not a file");
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) return system_error(path, "cannot be written");
+  if (!std::filesystem::is_directory(folder, ignored)) return file_error(path, "cannot be written: no folder holds it");
+  return Done{};
+}
+
 Result<std::string> gunzip(std::string_view bytes, std::size_t limit) {
   z_stream stream{};
   if (inflateInit2(&stream, 16 + MAX_WBITS) != Z_OK) return Error{ErrorCode::io, "gzip: no memory", ""};

@@ -17,6 +17,10 @@ Result<std::string> read_file(const std::filesystem::path& path, std::size_t lim
 /// an error, what it held before.
 Status write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
 
+/// Whether a file of this name could be written, without touching it: the folder exists and lets us, and the name is no
+/// folder's.
+Status can_write(const std::filesystem::path& path);
+
 /// What a gzip file (RFC 1952, one or more members) holds. Errors: damaged, cut off, larger than `limit` when unpacked.
 Result<std::string> gunzip(std::string_view bytes, std::size_t limit = kLargestFile);
 inline bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }

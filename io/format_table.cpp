@@ -40,31 +40,61 @@ bool is_procthor(std::string_view bytes) {
   return json_with(bytes, {"\"floorPolygon\"", "\"proceduralParameters\"", "\"roomType\""});
 }
 
-Result<Scenes> one(Result<scene::Scene> scene) {
-  if (!scene) return scene.error();
-  Scenes scenes;
-  scenes.push_back(*std::move(scene));
-  return scenes;
+bool is_home(std::string_view bytes) {
+  const std::string_view head = trimmed(bytes).substr(0, kHead);
+  return bytes.starts_with("PK\x03\x04") || (head.starts_with('<') && head.find("<home") != std::string_view::npos);
 }
-Result<Scenes> read_procthor_file(std::string_view bytes, const ReadOptions& options) {
+
+Result<Content> content(Result<std::vector<scene::Scene>> scenes) {
+  if (!scenes) return scenes.error();
+  return Content{*std::move(scenes), {}, {}};
+}
+Result<Content> read_scene_file(std::string_view bytes, const ReadOptions&) {
+  Result<scene::Scene> scene = read_scene(bytes);
+  if (!scene) return scene.error();
+  Content content;
+  content.scenes.push_back(*std::move(scene));
+  return content;
+}
+Result<std::string> write_scene_file(const Content& content) { return write_scene(content.scenes.front()); }
+
+Result<Content> read_home_file(std::string_view bytes, const ReadOptions&) {
+  Result<Sh3dHome> home = open_sh3d(std::string(bytes));
+  if (!home) return home.error();
+  Result<Sh3dRooms> rooms = read_rooms(*home);
+  if (!rooms) return rooms.error();
+  if (rooms->scenes.empty()) return invalid("", "the home has no rooms");
+  Content content{std::move(rooms->scenes), *std::move(home), std::move(rooms->warnings)};
+  for (const std::string& piece : rooms->outside) content.warnings.push_back("in no room: " + piece);
+  return content;
+}
+Result<std::string> write_home_file(const Content& content) {
+  Result<Sh3dFile> file =
+      content.home ? write_sh3d(*content.home, content.scenes) : write_sh3d_new(content.scenes.front());
+  if (!file) return file.error();
+  return std::move(file->bytes);
+}
+
+Result<Content> read_procthor_file(std::string_view bytes, const ReadOptions& options) {
   if (options.asset_database.empty())
     return invalid("", "a ProcTHOR house needs the asset database with the sizes of its pieces");
   const Result<std::string> database = read_file(options.asset_database);
   if (!database) return database.error();
   const Result<Assets> assets = read_procthor_assets(*database);
   if (!assets) return invalid(options.asset_database.string() + assets.error().where, assets.error().message);
-  return read_procthor(bytes, *assets, options.line);
+  return content(read_procthor(bytes, *assets, options.line));
 }
 
 // One line per format; the first whose sniffing agrees reads a file.
 constexpr Format kFormats[] = {
-    {"scene", "json", is_scene, [](std::string_view b, const ReadOptions&) { return one(read_scene(b)); }, write_scene,
-     "inhabit's own scene document"},
-    {"wkt", "wkt", is_wkt, [](std::string_view b, const ReadOptions&) { return read_wkt(b); }, nullptr,
+    {"scene", "json", is_scene, read_scene_file, write_scene_file, false, "inhabit's own scene document"},
+    {"sweethome3d", "sh3d xml", is_home, read_home_file, write_home_file, true,
+     "homes of Sweet Home 3D, one scene per room"},
+    {"wkt", "wkt", is_wkt, [](std::string_view b, const ReadOptions&) { return content(read_wkt(b)); }, nullptr, false,
      "walkable areas as well-known text (JuPedSim)"},
-    {"geojson", "geojson", is_geojson, [](std::string_view b, const ReadOptions&) { return read_geojson(b); }, nullptr,
-     "floor plans and WRLD indoor maps"},
-    {"procthor", "json jsonl", is_procthor, read_procthor_file, nullptr,
+    {"geojson", "geojson", is_geojson, [](std::string_view b, const ReadOptions&) { return content(read_geojson(b)); },
+     nullptr, false, "floor plans and WRLD indoor maps"},
+    {"procthor", "json jsonl", is_procthor, read_procthor_file, nullptr, false,
      "ProcTHOR / AI2-THOR houses, one or one per line"},
 };
 
@@ -89,12 +119,14 @@ std::string extension_of(const std::filesystem::path& path) {
 std::span<const Format> formats() { return kFormats; }
 
 const Format* format_to_write(const std::filesystem::path& path) {
-  const auto found = std::ranges::find_if(
-      kFormats, [&](const Format& f) { return f.write != nullptr && has_extension(f, extension_of(path)); });
+  const std::string extension = extension_of(path);
+  const auto found = std::ranges::find_if(kFormats, [&](const Format& f) {
+    return f.write != nullptr && f.extensions.substr(0, f.extensions.find(' ')) == extension;
+  });
   return found == std::end(kFormats) ? nullptr : found;
 }
 
-Result<Scenes> read_any_bytes(std::string_view bytes, std::string_view name, const ReadOptions& options) {
+Result<Content> read_any_bytes(std::string_view bytes, std::string_view name, const ReadOptions& options) {
   if (is_gzip(bytes)) {
     const Result<std::string> unpacked = gunzip(bytes);
     if (!unpacked) return unpacked.error();
@@ -111,12 +143,12 @@ Result<Scenes> read_any_bytes(std::string_view bytes, std::string_view name, con
   return Error{ErrorCode::unsupported, "none of the known formats: " + known, ""};
 }
 
-Result<Scenes> read_any(const std::filesystem::path& path, const ReadOptions& options) {
+Result<Content> read_any(const std::filesystem::path& path, const ReadOptions& options) {
   const Result<std::string> bytes = read_file(path);
   if (!bytes) return bytes.error();
-  Result<Scenes> scenes = read_any_bytes(*bytes, path.filename().string(), options);
-  if (scenes) return scenes;
-  Error error = scenes.error();
+  Result<Content> content = read_any_bytes(*bytes, path.filename().string(), options);
+  if (content) return content;
+  Error error = content.error();
   error.where = path.string() + (error.where.empty() ? "" : ": ") + error.where;
   return error;
 }

@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "core/parallel.h"
+#include "geometry/extents.h"
 #include "layout/relations.h"
 #include "layout/solver.h"
 
@@ -24,6 +25,17 @@ bool distinct(const Scene& scene, const Placement& a, const Placement& b) {
     if (std::abs(wrap_angle(a.objects[i].angle - b.objects[i].angle)) > kPi / 4) return true;
   }
   return false;
+}
+
+/// The scene compiled; an error when something that is to be placed has no place in the room whatever its angle.
+Result<Problem> compile_possible(const Scene& scene) {
+  const geometry::Extents room(scene.space.outline);
+  for (const Object& o : scene.objects) {
+    const bool held = o.position && (o.fixed || o.lock == Lock::position || o.lock == Lock::both);
+    if (!held && room.too_small_for(o.size.x, o.size.y))
+      return core::invalid("", "\"" + o.id + "\" is larger than the room in every orientation");
+  }
+  return compile(scene);
 }
 
 /// Runs starts first … first + count - 1 in parallel and appends their results in order.
@@ -64,7 +76,7 @@ bool warm(const Problem& p, const Options& options) {
 }  // namespace
 
 Result<Outcome> furnish(const Scene& scene, const Options& options) {
-  const Result<Problem> problem = compile(scene);
+  const Result<Problem> problem = compile_possible(scene);
   if (!problem) return problem.error();
   Outcome out;
   const bool settles = warm(*problem, options);
@@ -78,7 +90,7 @@ Result<Outcome> furnish(const Scene& scene, const Options& options) {
 }
 
 Result<std::vector<Layout>> suggest(const Scene& scene, const Options& options, int count) {
-  const Result<Problem> problem = compile(scene);
+  const Result<Problem> problem = compile_possible(scene);
   if (!problem) return problem.error();
   Options each = options;
   if (each.start == Start::given && warm(*problem, options)) each.start = Start::placed;

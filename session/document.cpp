@@ -11,34 +11,10 @@
 namespace inhabit::session {
 namespace {
 
-bool has_extension(std::string_view name, std::string_view extension) {
-  if (name.size() < extension.size()) return false;
-  return std::equal(extension.rbegin(), extension.rend(), name.rbegin(),
-                    [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b + ('a' - 'A') : b); });
-}
-
 const BuiltinScene* find_builtin(std::string_view name) {
   for (const BuiltinScene& scene : builtin_scenes())
     if (scene.name == name) return &scene;
   return nullptr;
-}
-
-Result<Document> read_home(std::string bytes) {
-  Result<io::Sh3dHome> home = io::open_sh3d(std::move(bytes));
-  if (!home) return home.error();
-  Result<io::Sh3dRooms> rooms = io::read_rooms(*home);
-  if (!rooms) return rooms.error();
-  Document document;
-  document.scenes = std::move(rooms->scenes);
-  document.home = std::move(*home);
-  document.warnings = std::move(rooms->warnings);
-  for (const std::string& piece : rooms->outside) document.warnings.push_back("in no room: " + piece);
-  if (document.scenes.empty()) return invalid("", "the home has no rooms");
-  return document;
-}
-
-bool is_home(std::string_view file_name) {
-  return has_extension(file_name, ".sh3d") || has_extension(file_name, ".xml");
 }
 
 /// Rooms are chosen by name, so a name stands for one room: "Bedroom", "Bedroom (2)"; one without is "room 3".
@@ -53,24 +29,26 @@ void name_rooms_apart(std::vector<Scene>& scenes) {
   }
 }
 
+/// For messages, which are one line: the first dozen.
+std::string room_names(std::span<const Scene> scenes) {
+  constexpr std::size_t kMost = 12;
+  std::string names;
+  for (const Scene& scene : scenes.first(std::min(scenes.size(), kMost)))
+    names.append(names.empty() ? "" : ", ").append(scene.name);
+  if (scenes.size() > kMost) names.append(" and ").append(std::to_string(scenes.size() - kMost)).append(" more");
+  return names;
+}
+
 }  // namespace
 
 Result<Document> read_document(std::string_view file_name, std::string bytes, const OpenOptions& options) {
-  Document document;
-  if (is_home(file_name)) {
-    Result<Document> home = read_home(std::move(bytes));
-    if (!home) return home.error();
-    document = std::move(*home);
-  } else {
-    io::ReadOptions read;
-    read.asset_database = options.asset_database;
-    read.line = options.line;
-    Result<io::Scenes> scenes = io::read_any_bytes(bytes, file_name, read);
-    if (!scenes) return scenes.error();
-    document.scenes = std::move(*scenes);
-    if (document.scenes.empty()) return invalid("", "there is no room in it");
-  }
-  document.name = file_name;
+  io::ReadOptions read;
+  read.asset_database = options.asset_database;
+  read.line = options.line;
+  Result<io::Content> content = io::read_any_bytes(bytes, file_name, read);
+  if (!content) return content.error();
+  Document document{*std::move(content), std::string(file_name)};
+  if (document.scenes.empty()) return invalid("", "there is no room in it");
   name_rooms_apart(document.scenes);
   return document;
 }
@@ -90,31 +68,18 @@ Result<Document> open_document(const std::string& name, const OpenOptions& optio
 }
 
 Result<std::string> write_document(const Document& document, std::string_view file_name) {
-  if (is_home(file_name)) {
-    if (!has_extension(file_name, ".sh3d"))
-      return Error{ErrorCode::unsupported, "homes are written as .sh3d, not as Home.xml", ""};
-    if (!document.home && document.scenes.size() > 1)
-      return invalid("", "only rooms that come from one home can be written into one; choose one with --room");
-    Result<io::Sh3dFile> file =
-        document.home ? io::write_sh3d(*document.home, document.scenes) : io::write_sh3d_new(document.scenes.front());
-    if (!file) return file.error();
-    return std::move(file->bytes);
-  }
   const io::Format* format = io::format_to_write(std::filesystem::path(file_name));
   if (!format) {
-    std::string known = "this extension is none that is written; these are: .sh3d";
+    std::string known;
     for (const io::Format& f : io::formats())
-      if (f.write) known += ", ." + std::string(f.extensions.substr(0, f.extensions.find(' ')));
-    return Error{ErrorCode::unsupported, known, ""};
+      if (f.write) known += (known.empty() ? "." : ", .") + std::string(f.extensions.substr(0, f.extensions.find(' ')));
+    return Error{ErrorCode::unsupported, "no format that is written has this extension; these have: " + known, ""};
   }
-  if (document.scenes.size() != 1) {
-    std::string names;
-    for (const Scene& scene : document.scenes) names += (names.empty() ? "" : ", ") + scene.name;
-    return invalid("", "this format holds one room; choose one with --room: " + names);
-  }
-  return format->write(document.scenes.front());
+  if (document.scenes.size() == 1 || (format->homes && document.home)) return format->write(document);
+  return invalid("", "holds one room; choose one with --room: " + room_names(document.scenes));
 }
 
+Status can_save(const std::string& path) { return io::can_write(path); }
 Status save_file(const std::string& path, std::string_view bytes) { return io::write_file_atomically(path, bytes); }
 
 Result<Document> only_rooms(Document document, std::span<const std::string> names) {
@@ -123,12 +88,10 @@ Result<Document> only_rooms(Document document, std::span<const std::string> name
   for (const Scene& scene : document.scenes) known.push_back(scene.name);
   for (const std::string& name : names)
     if (std::find(known.begin(), known.end(), name) == known.end()) {
-      std::string list;
-      for (const std::string_view other : known) {
-        list += list.empty() ? "; it has " : ", ";
-        list += other;
-      }
-      return Error{ErrorCode::not_found, "no room called " + name + list, ""};
+      const std::string nearest = did_you_mean(name, known);
+      return Error{ErrorCode::not_found,
+                   "no room is called " + name + (nearest.empty() ? "; there are " + room_names(document.scenes) : nearest),
+                   ""};
     }
   std::erase_if(document.scenes,
                 [&](const Scene& scene) { return std::find(names.begin(), names.end(), scene.name) == names.end(); });

@@ -1,22 +1,19 @@
 #pragma once
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "io/formats/sweethome3d.h"
+#include "io/format_table.h"
 #include "scene/scene.h"
 
 /// What a job works on: a scene from a file or built in, or the rooms of a home.
 namespace inhabit::session {
 using namespace scene;
 
-struct Document {
-  std::string name;                   ///< as it was asked for
-  std::vector<Scene> scenes;          ///< one, or one per room
-  std::optional<io::Sh3dHome> home;   ///< where the rooms came from, to be written back into it
-  std::vector<std::string> warnings;  ///< what reading left out or changed, for people
+/// Its `home` is where the rooms came from, to be written back into it.
+struct Document : io::Content {
+  std::string name;  ///< as it was asked for
 };
 
 /// A scene that the program carries: scenes/<name>.json.
@@ -33,7 +30,7 @@ struct OpenOptions {
 
 /// The file of this name; when there is none, the built-in scene. Errors offer the nearest built-in name.
 Result<Document> open_document(const std::string& name, const OpenOptions& options = {});
-/// Bytes of a home (.sh3d, .xml) or of any format of io/format_table.h.
+/// Bytes of any format of io/format_table.h.
 Result<Document> read_document(std::string_view file_name, std::string bytes, const OpenOptions& options = {});
 /// The document in the format that the file name's extension says. Errors: a format that is not written, several rooms
 /// for a format that holds one scene.
@@ -43,6 +40,8 @@ Result<std::string> write_document(const Document& document, std::string_view fi
 /// are.
 Result<Document> only_rooms(Document document, std::span<const std::string> names);
 
+/// Whether save_file has a chance: the folder is there and may be written to. For asking before long work.
+Status can_save(const std::string& path);
 /// Writes the bytes beside the file and renames, so that an existing file stays whole whatever happens.
 Status save_file(const std::string& path, std::string_view bytes);
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/text.h"
+#include "geometry/extents.h"
 #include "geometry/overlay.h"
 #include "io/json_text.h"
 
@@ -36,39 +37,6 @@ Status check_openings(const Space& space, const std::vector<Opening>& openings, 
   }
   return Done{};
 }
-
-/// Extents of a room in many directions, to tell what can never stand in it.
-class RoomExtents {
- public:
-  explicit RoomExtents(const Ring& outline) : area_(std::abs(signed_area(outline))) {
-    double reach = 0;
-    for (int k = 0; k < kDirections; ++k) {
-      const Vec2 n = direction(kPi * k / kDirections);
-      double low = 1e300, high = -1e300;
-      for (const Vec2 p : outline) low = std::min(low, dot(n, p)), high = std::max(high, dot(n, p));
-      extent_[static_cast<std::size_t>(k)] = high - low;
-      reach = std::max(reach, high - low);
-    }
-    smallest_ = *std::ranges::min_element(extent_);
-    // Between two directions an extent changes by at most the room's reach times half the step.
-    slack_ = reach * kPi / kDirections / 2 + kSlack;
-  }
-
-  /// True only when no position and no angle could make it fit: a bound, not the exact answer.
-  bool too_small_for(double width, double depth) const {
-    if (width * depth > area_ + kSlack) return true;
-    if (width * width + depth * depth <= smallest_ * smallest_) return false;
-    for (std::size_t k = 0; k < kDirections; ++k) {
-      if (width <= extent_[k] + slack_ && depth <= extent_[(k + kDirections / 2) % kDirections] + slack_) return false;
-    }
-    return true;
-  }
-
- private:
-  static constexpr int kDirections = 720;
-  std::array<double, kDirections> extent_{};
-  double area_ = 0, smallest_ = 0, slack_ = 0;
-};
 
 /// The first element of a cycle in "each has at most one parent"; -1 when there is none. `parent[i]` is -1 for none.
 int find_cycle(const std::vector<int>& parent) {
@@ -122,12 +90,12 @@ Status check_space(const Space& space) {
 }
 
 Status check_objects(const Scene& scene) {
-  const RoomExtents room(scene.space.outline);
+  const Extents room(scene.space.outline);
   std::vector<int> carrier(scene.objects.size(), -1);
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& o = scene.objects[i];
     if (o.fixed && !o.position) return invalid(at("/objects", i), quoted(o.id) + " is fixed but has no position");
-    if (room.too_small_for(o.size.x, o.size.y))
+    if (!o.fixed && room.too_small_for(o.size.x, o.size.y))
       return invalid(at("/objects", i, "size"), quoted(o.id) + " is larger than the room in every orientation");
     if (!o.on.none()) carrier[i] = static_cast<int>(o.on.index);
   }

@@ -7,7 +7,7 @@ using namespace scene;
 
 /// Doors and windows are within their walls, holes within the outline. Requires: simple, counter-clockwise rings.
 Status check_space(const Space& space);
-/// Nothing stands on itself, what is fixed has a position, and everything fits into the room in some orientation.
+/// Nothing stands on itself, what is fixed has a position, and all else fits into the room in some orientation.
 Status check_objects(const Scene& scene);
 /// No group contains itself and nothing is in two groups.
 Status check_groups(const Scene& scene);
