@@ -95,11 +95,12 @@ TEST_CASE("a stale Java home and its digests are dropped and other entries kept"
   CHECK(*sh3d::read_entry(file->bytes, "7/bed.obj") == "mesh");
 }
 
-TEST_CASE("document types are refused and entities stay inert") {
+TEST_CASE("document types and entities of their own are refused and character references are read") {
   CHECK(error_of("<!DOCTYPE home [<!ENTITY a 'aaaa'>]>" + kSmallHome.substr(22)).find("DOCTYPE") != std::string::npos);
-  const auto home = open_sh3d(with("'Bed'", "'&lol;&#x42;'"));
+  CHECK(error_of(with("'Bed'", "'&lol;'")).find("entity") != std::string::npos);
+  const auto home = open_sh3d(with("'Bed'", "'&amp;&#x42;'"));
   REQUIRE(home.ok());
-  CHECK(rooms(*home)->at(0).objects.at(0).name == "&lol;B");
+  CHECK(rooms(*home)->at(0).objects.at(0).name == "&B");
 }
 
 TEST_CASE("wrong numbers are named with element and line and column") {
