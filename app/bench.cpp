@@ -22,6 +22,7 @@ int run(Bench& b) {
   options.layout.scheme = b.scheme == "averaged" ? layout::Scheme::averaged : layout::Scheme::gauss_seidel;
   options.layout.relocation = !b.no_relocation;
   if (const char* data = std::getenv("INHABIT_DATA"); options.data.empty() && data) options.data = data;
+  if (!b.plots.empty() && !can_save(b.plots + "/plot.svg")) return kError;
   const Interruptible interruptible;
   options.cancel = interruptible.cancel();
   const core::Result<session::BenchAnswer> answer = [&] {

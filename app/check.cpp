@@ -17,7 +17,7 @@ struct Check {
 
 constexpr const char* kFooter =
     "Depths are metres, shares 0 to 1, residuals metres or degrees. Exit code 1: something overlaps or stands "
-    "outside.\n"
+    "outside,\nor a constraint is not kept (by more than 5 cm or 5 degrees).\n"
     "Examples:\n"
     "  inhabit check room.json\n"
     "  inhabit check home.sh3d --json --metrics published";
@@ -31,7 +31,7 @@ int run(Check& c) {
     print(session::check_json(checked));
   else if (!c.quiet)
     print(session::check_text(checked));
-  return checked.feasible() ? kDone : kInfeasible;
+  return checked.as_asked() ? kDone : kInfeasible;
 }
 
 }  // namespace

@@ -42,6 +42,7 @@ def test_usage(folder):
     assert 'did you mean "--starts"' in fails("furnish", "living-room", "--start-s", "3")
     fails("furnish")
     fails("furnish", "living-room", "--starts", "0")
+    fails("furnish", "living-room", "--seed", "-1")
     fails("furnish", "living-room", "--seed", "x")
     fails("furnish", "living-room", "--scheme", "nonsense")
     fails("check", "living-room", "too", "many")
@@ -110,6 +111,24 @@ def test_json(folder):
     assert "scene" not in answer["rooms"][0]["suggestions"][0]
 
 
+def test_contradiction(folder):
+    """What cannot all be kept is a report and exit code 1; what cannot be placed is an error, from every format."""
+    room = {"outline": [[0, 0], [4, 0], [4, 3], [0, 3]]}
+    things = [{"id": name, "kind": "table", "size": [0.6, 0.6, 0.7]} for name in "ab"]
+    apart = [{"type": "distance", "between": ["a", "b"], "distance": far} for far in (1, 2)]
+    scene = folder / "scene.json"
+    scene.write_text(json.dumps({"format": "inhabit-scene", "version": 1, "space": room, "objects": things, "constraints": apart}))
+    assert "distance a" in run("furnish", scene, "-o", folder / "out.json", code=1).stdout
+    run("check", folder / "out.json", "-q", code=1)
+    home = folder / "home.xml"
+    corners = "".join(f"<point x='{x}' y='{y}'/>" for x, y in ((0, 0), (300, 0), (300, 300), (0, 300)))
+    piece = "<pieceOfFurniture name='sofa' x='150' y='150' width='500' depth='90' height='80'/>"
+    home.write_text(f"<home><room name='A'>{corners}</room>{piece}</home>")
+    assert "larger than the room" in fails("furnish", home)
+    home.write_text("<home name='&big;'></home>")
+    assert "entity" in fails("check", home)
+
+
 def test_outputs(folder):
     """A failure leaves what was there."""
     kept = folder / "kept.json"
@@ -118,6 +137,8 @@ def test_outputs(folder):
     bad = folder / "bad.json"
     bad.write_text("{")
     fails("furnish", bad, "-o", kept)
+    # One output that cannot be written is told before anything is.
+    fails("furnish", "living-room", "-o", kept, "--png", folder / "none" / "room.png")
     assert kept.read_text() == "mine"
     run("scenes", "desk", "-o", kept)
     assert json.loads(kept.read_text())["name"] == "desk"

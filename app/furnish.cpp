@@ -1,4 +1,4 @@
-#include <map>
+#include <algorithm>
 #include <memory>
 
 #include "app/options.h"
@@ -19,7 +19,9 @@ struct Furnish {
 
 constexpr const char* kFooter =
     "With --variants K > 1, OUT gets a number for each suggestion (room-1.json, room-2.json, …) and a picture shows\n"
-    "them all. Examples:\n"
+    "them all. Exit code 1: something overlaps or stands outside, or a constraint of SCENE is not kept (the table "
+    "says\n"
+    "which, and by how much). Examples:\n"
     "  inhabit furnish living-room -o room.json --svg room.svg\n"
     "  inhabit furnish tight-bedroom --variants 6 --png choices.png -o bedroom.json\n"
     "  inhabit furnish home.sh3d --room Bedroom --start placed --house-rules -o furnished.sh3d\n"
@@ -31,6 +33,7 @@ void add_method(CLI::App& verb, Furnish& f) {
       ->check(CLI::IsMember({"pbd"}))
       ->capture_default_str();
   verb.add_option("--seed", layout.seed, "Seed of every random choice; the same seed gives the same bytes")
+      ->check(not_negative, "")
       ->capture_default_str();
   verb.add_option("--starts", layout.starts, "Random starts; the best one is kept")
       ->check(CLI::Range(1, 100000))
@@ -113,7 +116,7 @@ bool names_are_good(const Furnish& f) {
       return false;
     }
   if (!f.trace.empty() && f.job.variants > 1) return complain("--trace needs --variants 1"), false;
-  return true;
+  return std::ranges::all_of(std::initializer_list<std::string>{f.out, f.svg, f.png, f.pdf, f.trace}, can_save);
 }
 
 int run(Furnish& f) {
@@ -143,11 +146,14 @@ int run(Furnish& f) {
   if (!write_scenes(f, *document, *furnished) || !write_pictures(f, *document, *furnished) ||
       !write_trace(f, *furnished))
     return kError;
+  // Written files and a quiet run would hide it.
+  for (const session::FurnishedRoom& room : furnished->rooms)
+    if (room.error) complain(f.scene.name + ": " + room.name + " is left as it was: " + room.error->text());
   if (f.json)
     print(session::furnish_json(*furnished, f.out.empty()));
   else if (!f.quiet)
     print(session::furnish_text(*furnished));
-  return furnished->feasible() ? kDone : kInfeasible;
+  return furnished->as_asked() ? kDone : kInfeasible;
 }
 
 }  // namespace

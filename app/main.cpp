@@ -27,7 +27,8 @@ constexpr std::array kVerbs = {
 constexpr const char* kFooter =
     "Lengths are metres, angles degrees counter-clockwise, times seconds unless a unit is given.\n"
     "SCENE is a file of any format that inhabit reads, or the name of a built-in scene (inhabit scenes).\n"
-    "Exit codes: 0 done, 1 the layout overlaps or leaves the room, 2 an error (one line on standard error).\n"
+    "Exit codes: 0 done, 1 something overlaps, stands outside or breaks a constraint, 2 an error (one line on standard "
+    "error).\n"
     "Example: inhabit furnish living-room -o room.json --svg room.svg\n"
     "inhabit VERB --help says more.";
 

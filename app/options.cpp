@@ -15,6 +15,7 @@ void add_scene(CLI::App& verb, SceneArgument& scene) {
                   "ProcTHOR houses: their asset-database.json, which has the sizes")
       ->type_name("FILE");
   verb.add_option("--line", scene.options.line, "Only this house of a file with one per line, from 1; 0 = all")
+      ->check(not_negative, "")
       ->capture_default_str();
 }
 
@@ -28,12 +29,21 @@ std::optional<session::Document> open(const SceneArgument& scene, bool quiet) {
   return std::nullopt;
 }
 
+bool can_save(const std::string& path) {
+  if (path.empty()) return true;
+  const core::Status possible = session::can_save(path);
+  if (!possible) fail(path, possible.error());
+  return possible.ok();
+}
+
 bool save(const std::string& path, const core::Result<std::string>& bytes) {
   if (!bytes) return fail(path, bytes.error()), false;
   const core::Status saved = session::save_file(path, *bytes);
   if (!saved) return fail(path, saved.error()), false;
   return true;
 }
+
+std::string not_negative(const std::string& text) { return text.starts_with("-") ? text + " is below 0" : ""; }
 
 std::string numbered_path(const std::string& path, std::size_t number) {
   const std::size_t slash = path.find_last_of('/'), dot = path.find_last_of('.');

@@ -20,8 +20,13 @@ void add_scene(CLI::App& verb, SceneArgument& scene);
 /// standard error unless `quiet`.
 std::optional<session::Document> open(const SceneArgument& scene, bool quiet);
 
+/// Complains when `path` could not be written, before any work is done for it; empty names are good.
+bool can_save(const std::string& path);
 /// Writes bytes to `path`; false after a complaint.
 bool save(const std::string& path, const core::Result<std::string>& bytes);
+
+/// For numbers without a sign: the parser would read -1 as the largest there is.
+std::string not_negative(const std::string& text);
 
 /// "plan.svg" and 2 give "plan-2.svg".
 std::string numbered_path(const std::string& path, std::size_t number);

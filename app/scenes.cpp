@@ -39,7 +39,8 @@ std::function<int()> set_up_scenes(CLI::App& verb) {
   verb.add_option("--seats", s->job.seats, "theater-1: number of seats")->check(CLI::Range(1, 1000000));
   verb.add_option("--coverage", s->job.coverage, "tight-bedroom: share of the floor that is covered, 0.1 to 0.95")
       ->check(CLI::Range(0.1, 0.95));
-  verb.add_option("--seed", s->job.seed, "tight-picnic: the seed that its numbers of things are drawn from");
+  verb.add_option("--seed", s->job.seed, "tight-picnic: the seed that its numbers of things are drawn from")
+      ->check(not_negative, "");
   verb.add_flag("--json", s->json, "The list as JSON");
   verb.footer("Examples:\n  inhabit scenes\n  inhabit scenes theater-1 --seats 1600 -o theater.json");
   return [s] { return run(*s); };

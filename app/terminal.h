@@ -11,7 +11,7 @@ namespace inhabit::app {
 /// Exit codes of every verb.
 enum Exit : int {
   kDone = 0,
-  kInfeasible = 1,  ///< the result is there, but something overlaps or stands outside
+  kInfeasible = 1,  ///< the result is there, but something overlaps, stands outside or breaks a constraint
   kError = 2        ///< wrong use, wrong input, a file that cannot be written
 };
 

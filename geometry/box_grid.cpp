@@ -30,7 +30,8 @@ BoxGrid::BoxGrid(std::vector<Bounds> boxes) : boxes_(std::move(boxes)) {
   columns_ = static_cast<std::uint32_t>(size.x / cell_) + 1;
   rows_ = static_cast<std::uint32_t>(size.y / cell_) + 1;
 
-  // Counting sort of the boxes into the cells that they cover.
+  // Counting sort of the boxes into the cells that they cover: the cells of Teschner03 without its hashing, since
+  // these are few.
   start_.assign(static_cast<std::size_t>(rows_) * columns_ + 1, 0);
   const auto for_each_cell = [&](const Bounds& b, auto&& visit) {
     const Range r = range(b);

@@ -82,6 +82,14 @@ std::string verdicts(const CheckReport& r) {
     text.append("  ").append(std::to_string(r.exempt_pairs)).append(" pairs need not keep apart; ");
     text.append(std::to_string(r.overlaps_exempt)).append(" of them overlap\n");
   }
+  if (r.overlaps_pinned + r.outside_pinned > 0)
+    text.append("  of what cannot move, ")
+        .append(std::to_string(r.overlaps_pinned))
+        .append(r.overlaps_pinned == 1 ? " pair overlaps" : " pairs overlap")
+        .append(" and ")
+        .append(std::to_string(r.outside_pinned))
+        .append(r.outside_pinned == 1 ? " reaches" : " reach")
+        .append(" out of the room; no arrangement changes that\n");
   if (r.overlaps_rigid > 0)
     text.append("  ")
         .append(std::to_string(r.overlaps_rigid))

@@ -81,6 +81,15 @@ TEST_CASE("a file is known by what is in it") {
   CHECK(read_any_bytes("{\"x\": }", "a.json").error().where == "line 1, column 7");
   CHECK(format_to_write("a.JSON")->name == "scene");
   CHECK(format_to_write("a.wkt") == nullptr);
+  CHECK(format_to_write("a.sh3d")->homes);
+  CHECK(format_to_write("Home.xml") == nullptr);
+  const auto home = read_any_bytes(
+      "<home><room name='A'><point x='0' y='0'/><point x='0' y='300'/><point x='300' y='0'/>"
+      "</room></home>",
+      "a.txt");
+  REQUIRE(home.ok());
+  CHECK(home->home);
+  CHECK(home->scenes.front().name == "A");
 }
 
 TEST_CASE("errors name the file") {

@@ -10,6 +10,11 @@ bool Checked::feasible() const {
   return std::all_of(rooms.begin(), rooms.end(), [](const auto& room) { return room.second.feasible; });
 }
 
+bool Checked::as_asked() const {
+  return feasible() &&
+         std::all_of(rooms.begin(), rooms.end(), [](const auto& room) { return room.second.violations.empty(); });
+}
+
 Checked check_job(const Document& document, const layout::CheckOptions& options) {
   Checked checked;
   for (const Scene& scene : document.scenes) checked.rooms.emplace_back(scene.name, layout::check(scene, options));

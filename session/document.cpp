@@ -89,9 +89,9 @@ Result<Document> only_rooms(Document document, std::span<const std::string> name
   for (const std::string& name : names)
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       const std::string nearest = did_you_mean(name, known);
-      return Error{ErrorCode::not_found,
-                   "no room is called " + name + (nearest.empty() ? "; there are " + room_names(document.scenes) : nearest),
-                   ""};
+      return Error{
+          ErrorCode::not_found,
+          "no room is called " + name + (nearest.empty() ? "; there are " + room_names(document.scenes) : nearest), ""};
     }
   std::erase_if(document.scenes,
                 [&](const Scene& scene) { return std::find(names.begin(), names.end(), scene.name) == names.end(); });

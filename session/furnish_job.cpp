@@ -40,6 +40,7 @@ Result<FurnishedRoom> furnish_room(const Scene& original, const FurnishJob& job,
   Scene scene = original;
   if (job.house_rules) layout::add_house_rules(scene);
   FurnishedRoom room;
+  room.house_rules = scene.constraints.size() > original.constraints.size();
   room.name = scene.name;
   const auto begin = std::chrono::steady_clock::now();
   Result<Layouts> found = find_layouts(scene, job);
@@ -83,6 +84,12 @@ bool Furnished::feasible() const {
   return std::all_of(rooms.begin(), rooms.end(), [](const FurnishedRoom& room) {
     return !room.suggestions.empty() && room.suggestions.front().report.feasible;
   });
+}
+
+bool Furnished::as_asked() const {
+  return feasible() && std::all_of(rooms.begin(), rooms.end(), [](const FurnishedRoom& room) {
+           return room.house_rules || room.suggestions.front().report.violations.empty();
+         });
 }
 
 Document Furnished::document(const Document& original, std::size_t k) const {

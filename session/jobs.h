@@ -30,6 +30,7 @@ struct FurnishedRoom {
   std::vector<Suggestion> suggestions;  ///< best first; empty when `error` says why
   std::vector<layout::TraceRow> trace;
   std::optional<Error> error;
+  bool house_rules = false;  ///< wishes by kind were added, which nobody asked for
   double seconds = 0;
 };
 
@@ -38,6 +39,8 @@ struct Furnished {
   bool cancelled = false;
   /// Every room has a suggestion that overlaps nothing and stays inside.
   bool feasible() const;
+  /// Feasible, and every constraint is kept to 5 cm and 5 degrees; rooms with house rules may miss some.
+  bool as_asked() const;
   /// The document with the k-th suggestion of every room (the last one where there are fewer).
   Document document(const Document& original, std::size_t k = 0) const;
 };
@@ -55,6 +58,8 @@ std::string trace_csv(const std::vector<layout::TraceRow>& trace);
 struct Checked {
   std::vector<std::pair<std::string, layout::CheckReport>> rooms;
   bool feasible() const;
+  /// Feasible, and every constraint is kept to 5 cm and 5 degrees.
+  bool as_asked() const;
 };
 Checked check_job(const Document& document, const layout::CheckOptions& options);
 std::string check_text(const Checked& checked);

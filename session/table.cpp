@@ -33,6 +33,12 @@ void pad(std::string& line, const std::string& text, std::size_t width, bool rig
   line += right ? space + text : text + space;
 }
 
+/// Counts without a point: 201, not 201.0.
+nlohmann::ordered_json json_number(double number) {
+  if (std::abs(number) < 1e15 && std::trunc(number) == number) return static_cast<std::int64_t>(number);
+  return number;
+}
+
 }  // namespace
 
 std::string table_text(const Table& table) {
@@ -76,7 +82,7 @@ std::string table_json(const Table& table) {
     for (std::size_t c = 0; c < row.size(); ++c) {
       auto& value = object[table.columns[c].name];
       if (row[c].kind == Cell::Kind::text) value = row[c].text;
-      if (row[c].kind == Cell::Kind::number) value = row[c].number;
+      if (row[c].kind == Cell::Kind::number) value = json_number(row[c].number);
       if (row[c].kind == Cell::Kind::truth) value = row[c].number != 0;
     }
     json["rows"].push_back(std::move(object));

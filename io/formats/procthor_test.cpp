@@ -78,8 +78,9 @@ TEST_CASE("all five hundred houses are read and survive as scene documents") {
   const auto houses = INHABIT_TEST_DATA("rooms/procthor_one_room/train.jsonl.gz");
   const auto database = INHABIT_TEST_DATA("rooms/procthor_db/asset-database.json");
   if (!houses || !database) return;
-  const auto scenes = read_any(*houses, {.asset_database = *database, .line = 0});
-  REQUIRE_MESSAGE(scenes.ok(), scenes.error().text());
+  const auto content = read_any(*houses, {.asset_database = *database, .line = 0});
+  REQUIRE_MESSAGE(content.ok(), content.error().text());
+  const auto* const scenes = &content->scenes;
   CHECK(scenes->size() == 500);
   std::size_t objects = 0, doors = 0, windows = 0, at_wall = 0, pieces = 0;
   for (const Scene& scene : *scenes) {

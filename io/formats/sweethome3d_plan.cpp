@@ -148,6 +148,19 @@ std::string place_in(std::string_view xml, std::size_t offset) {
   return std::string("Home.xml, line ").append(std::to_string(line)).append(", column ").append(std::to_string(column));
 }
 
+/// The first reference to an entity that XML itself does not define; without a document type nothing else does.
+std::size_t undefined_entity(std::string_view xml) {
+  constexpr std::string_view kDefined[] = {"&amp;", "&lt;", "&gt;", "&quot;", "&apos;", "&#"};
+  for (std::size_t i = 0; i < xml.size(); ++i) {
+    const std::string_view rest = xml.substr(i);
+    if (rest.starts_with("<!--")) i = std::min(xml.size(), xml.find("-->", i)) - 1;
+    if (rest.starts_with("<![CDATA[")) i = std::min(xml.size(), xml.find("]]>", i)) - 1;
+    if (rest.front() == '&' && std::ranges::none_of(kDefined, [&](std::string_view e) { return rest.starts_with(e); }))
+      return i;
+  }
+  return std::string_view::npos;
+}
+
 Result<pugi::xml_document> parse_xml(std::string_view xml) {
   if (!is_utf8(xml)) return invalid("Home.xml", "is not UTF-8");
   pugi::xml_document document;
@@ -163,6 +176,8 @@ Result<pugi::xml_document> parse_xml(std::string_view xml) {
     if (!encoding.empty() && encoding != "utf-8" && encoding != "utf8" && encoding != "us-ascii")
       return Error{ErrorCode::unsupported, "the encoding is " + encoding.substr(0, 40) + ", not UTF-8", "Home.xml"};
   }
+  if (const std::size_t entity = undefined_entity(xml); entity != std::string_view::npos)
+    return invalid(place_in(xml, entity), "an entity that is not defined, or an & that should be &amp;");
   if (!document.child("home")) return invalid("Home.xml", "has no <home> element; is this a home of Sweet Home 3D?");
   return document;
 }
