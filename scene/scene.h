@@ -1,5 +1,6 @@
 #pragma once
 #include "scene/constraint_kinds.h"
+#include "scene/crowd.h"
 
 /// The scene document as plain data: what a file says, in metres and radians, with every name resolved.
 namespace inhabit::scene {
@@ -102,50 +103,6 @@ struct Group {
   std::optional<double> angle;
   Extras extras;
   friend bool operator==(const Group&, const Group&) = default;
-};
-
-struct Speed {
-  double mean = 1.34, deviation = 0.26;
-  friend bool operator==(const Speed&, const Speed&) = default;
-};
-
-struct Population {
-  std::string id;
-  int count = 0;
-  Ring area;
-  std::optional<double> spacing;
-  double radius = 0.25, mass = 1;
-  Speed speed;
-  std::string goal;
-  Extras extras;
-  friend bool operator==(const Population&, const Population&) = default;
-};
-
-struct Source {
-  std::string id;
-  Ring area;
-  double rate = 1;  ///< people per second
-  double radius = 0.25, mass = 1;
-  Speed speed;
-  std::string goal;
-  Extras extras;
-  friend bool operator==(const Source&, const Source&) = default;
-};
-
-struct Goal {
-  std::string id;
-  Ring area;
-  Extras extras;
-  friend bool operator==(const Goal&, const Goal&) = default;
-};
-
-struct Crowd {
-  std::vector<Population> populations;
-  std::vector<Source> sources;
-  std::vector<Goal> goals;
-  Extras extras;
-  bool empty() const { return populations.empty() && sources.empty() && goals.empty() && extras.empty(); }
-  friend bool operator==(const Crowd&, const Crowd&) = default;
 };
 
 struct Scene {

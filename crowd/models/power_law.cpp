@@ -1,0 +1,7 @@
+#include "crowd/models/power_law.h"
+
+namespace inhabit::crowd {
+
+void PowerLaw::step(Agents&, const Surroundings&) {}
+
+}  // namespace inhabit::crowd

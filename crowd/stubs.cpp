@@ -1,0 +1,2 @@
+#include "crowd/model_table.h"
+#include "crowd/simulation.h"

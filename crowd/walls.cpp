@@ -1,0 +1,143 @@
+#include "crowd/walls.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/lists.h"
+
+namespace inhabit::crowd {
+namespace {
+
+/// Grids of walls have at most so many cells: a plan of kilometres has wider ones.
+constexpr double kCells = 4e6;
+
+Ring moved(const Ring& ring, Vec2 origin) {
+  Ring out = ring;
+  for (Vec2& p : out) p = p - origin;
+  return out;
+}
+
+/// Distance between a segment and an axis-parallel square is at most `reach`: Chebyshev-conservative by its bounds and
+/// its line.
+bool near_cell(const WallSegment& s, double low_x, double low_y, double cell, double reach) {
+  const double cx = low_x + cell / 2, cy = low_y + cell / 2, half = cell / 2 + reach;
+  if (std::max(s.ax, s.bx) < cx - half || std::min(s.ax, s.bx) > cx + half) return false;
+  if (std::max(s.ay, s.by) < cy - half || std::min(s.ay, s.by) > cy + half) return false;
+  const double dx = s.bx - s.ax, dy = s.by - s.ay;
+  const double cross = dx * (cy - s.ay) - dy * (cx - s.ax);
+  return std::abs(cross) <= half * (std::abs(dx) + std::abs(dy));
+}
+
+double orient(double ax, double ay, double bx, double by, double px, double py) {
+  return (bx - ax) * (py - ay) - (by - ay) * (px - ax);
+}
+
+}  // namespace
+
+Walls::Walls(const std::vector<Floor>& floors, Vec2 origin, double reach) {
+  Bounds box;
+  const auto add_ring = [&](const Ring& ring, bool outline) {
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Vec2 a = ring[k], b = ring[(k + 1) % ring.size()];
+      const Vec2 from = outline ? a : b, to = outline ? b : a;
+      segments_.push_back(
+          {static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(to.x), static_cast<float>(to.y)});
+      box.add(a);
+    }
+  };
+  for (const Floor& floor : floors) {
+    std::vector<Ring> holes;
+    for (const Ring& hole : floor.holes) holes.push_back(moved(hole, origin));
+    floors_.push_back(make_floor(moved(floor.outline, origin), std::move(holes)));
+    add_ring(floors_.back().outline, true);
+    for (const Ring& hole : floors_.back().holes) add_ring(hole, false);
+  }
+  if (segments_.empty()) return;
+
+  const Vec2 size = box.size();
+  double cell = std::max(reach, 0.25);
+  while ((std::floor(size.x / cell) + 1) * (std::floor(size.y / cell) + 1) > kCells) cell *= 1.25;
+  min_x_ = static_cast<float>(box.min.x), min_y_ = static_cast<float>(box.min.y);
+  inverse_cell_ = static_cast<float>(1 / cell);
+  columns_ = static_cast<std::int32_t>(size.x / cell) + 1, rows_ = static_cast<std::int32_t>(size.y / cell) + 1;
+
+  // Segments are near the cells that their bounds, grown by reach, cover and whose square they come close to.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> near;
+  const double grown = reach + 1e-3 * cell;  // floats put a point on a cell's edge into either
+  inside_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0);
+  for (std::uint32_t k = 0; k < segments_.size(); ++k) {
+    const WallSegment& s = segments_[k];
+    const auto index = [&](double at, std::int32_t count) {
+      return std::clamp(static_cast<std::int32_t>(std::floor(at / cell)), 0, count - 1);
+    };
+    const std::int32_t c0 = index(std::min(s.ax, s.bx) - grown - min_x_, columns_);
+    const std::int32_t c1 = index(std::max(s.ax, s.bx) + grown - min_x_, columns_);
+    const std::int32_t r0 = index(std::min(s.ay, s.by) - grown - min_y_, rows_);
+    const std::int32_t r1 = index(std::max(s.ay, s.by) + grown - min_y_, rows_);
+    for (std::int32_t r = r0; r <= r1; ++r)
+      for (std::int32_t c = c0; c <= c1; ++c) {
+        const double low_x = min_x_ + c * cell, low_y = min_y_ + r * cell;
+        const auto place = static_cast<std::uint32_t>(r * columns_ + c);
+        if (near_cell(s, low_x, low_y, cell, grown)) near.emplace_back(place, k);
+        if (near_cell(s, low_x, low_y, cell, 1e-3 * cell)) inside_[place] = 2;
+      }
+  }
+  first_.assign(inside_.size() + 1, 0), items_.resize(near.size());
+  for (const auto& [place, k] : near) ++first_[place + 1];
+  for (std::size_t c = 0; c < inside_.size(); ++c) first_[c + 1] += first_[c];
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  for (const auto& [place, k] : near) items_[next[place]++] = k;
+
+  for (std::int32_t r = 0; r < rows_; ++r)
+    for (std::int32_t c = 0; c < columns_; ++c) {
+      std::uint8_t& state = inside_[static_cast<std::size_t>(r * columns_ + c)];
+      if (state == 2) continue;
+      const Vec2 middle{min_x_ + (c + 0.5) * cell, min_y_ + (r + 0.5) * cell};
+      state = std::ranges::any_of(floors_, [&](const Floor& floor) { return contains(floor, middle); }) ? 1 : 0;
+    }
+}
+
+std::span<const std::uint32_t> Walls::near(float x, float y) const {
+  if (segments_.empty()) return {};
+  const auto index = [&](float at, std::int32_t count) {
+    return at > 0 ? std::min(static_cast<std::int32_t>(std::min(at * inverse_cell_, 1e9f)), count - 1) : 0;
+  };
+  const auto place = static_cast<std::size_t>(index(y - min_y_, rows_)) * static_cast<std::size_t>(columns_) +
+                     static_cast<std::size_t>(index(x - min_x_, columns_));
+  return {items_.data() + first_[place], items_.data() + first_[place + 1]};
+}
+
+bool Walls::on_floor(float x, float y) const {
+  if (segments_.empty()) return true;
+  const float column = (x - min_x_) * inverse_cell_, row = (y - min_y_) * inverse_cell_;
+  if (!(column >= 0 && row >= 0 && column < static_cast<float>(columns_) && row < static_cast<float>(rows_)))
+    return false;
+  const std::uint8_t state =
+      inside_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
+  if (state != 2) return state == 1;
+  return std::ranges::any_of(floors_, [&](const Floor& floor) { return contains(floor, Vec2{x, y}); });
+}
+
+bool Walls::sees(float ax, float ay, float bx, float by) const {
+  if (segments_.empty()) return true;
+  if (!on_floor(ax, ay) || !on_floor(bx, by)) return false;
+  // Walk along the line from cell to cell; every cell lists the segments near it.
+  const float length = std::hypot(bx - ax, by - ay);
+  const int steps = static_cast<int>(std::ceil(length * inverse_cell_ * 2)) + 1;
+  std::span<const std::uint32_t> before;
+  for (int k = 0; k <= steps; ++k) {
+    const float t = static_cast<float>(k) / static_cast<float>(steps);
+    const auto list = near(ax + t * (bx - ax), ay + t * (by - ay));
+    if (list.data() == before.data() && list.size() == before.size()) continue;
+    before = list;
+    for (const std::uint32_t i : list) {
+      const WallSegment& s = segments_[i];
+      const double p = orient(ax, ay, bx, by, s.ax, s.ay), q = orient(ax, ay, bx, by, s.bx, s.by);
+      const double u = orient(s.ax, s.ay, s.bx, s.by, ax, ay), v = orient(s.ax, s.ay, s.bx, s.by, bx, by);
+      if (((p > 0) != (q > 0)) && ((u > 0) != (v > 0))) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace inhabit::crowd

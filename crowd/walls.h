@@ -1,0 +1,62 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "geometry/containment.h"
+
+/// Everything that people cannot walk through: the borders of the floor, as segments in a grid.
+namespace inhabit::crowd {
+using namespace core;
+using namespace geometry;
+
+/// A piece of a border; the floor is on its left.
+struct WallSegment {
+  float ax = 0, ay = 0, bx = 0, by = 0;
+};
+
+/// The nearest point of a segment to (x, y), and the segment's inward normal.
+struct WallPoint {
+  float x = 0, y = 0;
+};
+inline WallPoint nearest_point(const WallSegment& s, float x, float y) {
+  const float dx = s.bx - s.ax, dy = s.by - s.ay;
+  const float dd = dx * dx + dy * dy;
+  float t = dd > 0 ? ((x - s.ax) * dx + (y - s.ay) * dy) / dd : 0.0f;
+  t = t < 0 ? 0.0f : t > 1 ? 1.0f : t;
+  return {s.ax + t * dx, s.ay + t * dy};
+}
+
+class Walls {
+ public:
+  Walls() = default;
+  /// The borders of `floors` (outline and holes), seen from `origin`. `reach`: the farthest that near() will be asked
+  /// about, metres; it decides the grid.
+  Walls(const std::vector<Floor>& floors, Vec2 origin, double reach);
+
+  bool empty() const { return segments_.empty(); }
+  std::span<const WallSegment> segments() const { return segments_; }
+
+  /// Calls f(segment, index) once for each segment that may be within `reach` of (x, y), in order of index.
+  template <class F>
+  void for_each_near(float x, float y, F&& f) const {
+    for (const std::uint32_t k : near(x, y)) f(segments_[k], k);
+  }
+  /// Indices of the segments that may be within the reach of (x, y), ascending: those that meet the cell grown by
+  /// reach.
+  std::span<const std::uint32_t> near(float x, float y) const;
+
+  /// True on a floor, borders included. Walls that are empty allow everything.
+  bool on_floor(float x, float y) const;
+  /// True when the straight way from a to b meets no wall and both ends are on the floor.
+  bool sees(float ax, float ay, float bx, float by) const;
+
+ private:
+  std::vector<WallSegment> segments_;
+  float min_x_ = 0, min_y_ = 0, inverse_cell_ = 1;
+  std::int32_t columns_ = 0, rows_ = 0;
+  std::vector<std::uint32_t> first_, items_;  ///< per cell, the segments near it
+  std::vector<std::uint8_t> inside_;          ///< per cell: 0 solid, 1 floor, 2 has a border: ask the floors
+  std::vector<Floor> floors_;                 ///< seen from the origin
+};
+
+}  // namespace inhabit::crowd
