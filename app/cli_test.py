@@ -67,12 +67,17 @@ def test_errors(folder):
 
 def test_scenes(folder):
     listed = json.loads(run("scenes", "--json").stdout)["rows"]
-    assert len(listed) == 17
+    assert len(listed) == len(list((HERE.parent / "scenes").glob("*.json")))
     assert {"theater-1", "picnic", "tight-bedroom"} <= {row["name"] for row in listed}
+    assert {row["name"]: row["people"] for row in listed}["bears-and-rabbits"] == 1152
+    assert all(row["what"] for row in listed)
     scene = json.loads(run("scenes", "desk").stdout)
     assert len(scene["objects"]) == 21
     assert len(json.loads(run("scenes", "theater-1", "--seats", 50).stdout)["objects"]) == 51
+    assert json.loads(run("scenes", "rimea-06").stdout)["crowd"]["populations"][0]["count"] == 20
+    assert 'did you mean "rimea-10"' in fails("scenes", "rimea-13")
     fails("scenes", "theatre")
+    fails("scenes", "rimea-06", "--seats", 50)
     fails("scenes", "desk", "--seats", 50)
 
 

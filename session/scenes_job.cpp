@@ -2,6 +2,8 @@
 
 #include "core/text.h"
 #include "io/formats/scene_json.h"
+#include "session/crowd_builder.h"
+#include "session/crowd_scenes.h"
 #include "session/paper_scenes.h"
 #include "session/scene_builder.h"
 #include "session/table.h"
@@ -11,14 +13,20 @@ namespace {
 
 Table scenes_table() {
   Table table{"scenes", "", {}, {}, {}};
-  table.columns = {{"name"},       {"objects", 0},    {"constraints", 0}, {"width m", 2},
+  table.columns = {{"name"},       {"objects", 0},    {"constraints", 0}, {"people", 0}, {"width m", 2},
                    {"depth m", 2}, {"coverage %", 0}, {"paper s", 2},     {"what"}};
   for (const PaperScene& paper : paper_scenes()) {
     const Scene scene = paper.build();
     const Vec2 size = bounds(scene.space.outline).size();
     table.rows.push_back({std::string(paper.name), static_cast<double>(scene.objects.size()),
-                          static_cast<double>(scene.constraints.size()), size.x, size.y, 100 * floor_coverage(scene),
-                          paper.published_seconds, std::string(paper.sentence)});
+                          static_cast<double>(scene.constraints.size()), Cell(), size.x, size.y,
+                          100 * floor_coverage(scene), paper.published_seconds, std::string(paper.sentence)});
+  }
+  for (const CrowdScene& crowd : crowd_scenes()) {
+    const Scene scene = crowd.build();
+    const Vec2 size = bounds(scene.space.outline).size();
+    table.rows.push_back({std::string(crowd.name), Cell(), Cell(), static_cast<double>(people_asked(scene.crowd)),
+                          size.x, size.y, Cell(), Cell(), std::string(crowd.sentence)});
   }
   return table;
 }
@@ -27,18 +35,20 @@ Table scenes_table() {
 
 Result<std::string> scenes_job(const ScenesJob& job) {
   const PaperScene* paper = find_paper_scene(job.name);
-  if (!paper) {
+  const CrowdScene* crowd = find_crowd_scene(job.name);
+  if (!paper && !crowd) {
     std::vector<std::string_view> names;
     for (const PaperScene& scene : paper_scenes()) names.push_back(scene.name);
+    for (const CrowdScene& scene : crowd_scenes()) names.push_back(scene.name);
     return Error{ErrorCode::not_found, "no built-in scene of this name" + did_you_mean(job.name, names), ""};
   }
-  if (job.seats && paper->name != "theater-1") return invalid("", "only theater-1 has a number of seats");
-  if (job.coverage && paper->name != "tight-bedroom") return invalid("", "only tight-bedroom has a coverage");
-  if (job.seed && paper->name != "tight-picnic") return invalid("", "only tight-picnic is drawn from a seed");
+  if (job.seats && job.name != "theater-1") return invalid("", "only theater-1 has a number of seats");
+  if (job.coverage && job.name != "tight-bedroom") return invalid("", "only tight-bedroom has a coverage");
+  if (job.seed && job.name != "tight-picnic") return invalid("", "only tight-picnic is drawn from a seed");
   if (job.seats) return io::write_scene(theater_1(*job.seats));
   if (job.coverage) return io::write_scene(tight_bedroom(*job.coverage));
   if (job.seed) return io::write_scene(tight_picnic(*job.seed));
-  return io::write_scene(paper->build());
+  return io::write_scene(paper ? paper->build() : crowd->build());
 }
 
 std::string scenes_text() { return table_text(scenes_table()); }

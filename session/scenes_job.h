@@ -6,7 +6,7 @@
 
 namespace inhabit::session {
 
-/// A scene of the papers made to measure; what is absent stays as the paper has it.
+/// A built-in scene, those of the papers made to measure; what is absent stays as the paper has it.
 struct ScenesJob {
   std::string name;
   std::optional<int> seats;           ///< theater-1
@@ -16,7 +16,7 @@ struct ScenesJob {
 /// The scene's document. Errors: no such scene, a measure that the scene does not have.
 Result<std::string> scenes_job(const ScenesJob& job);
 
-/// Every built-in scene with its counts and published times, for people and as JSON.
+/// Every built-in scene, furnished or full of people, with its counts and published times, for people and as JSON.
 std::string scenes_text();
 std::string scenes_json();
 

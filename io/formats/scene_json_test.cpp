@@ -122,6 +122,107 @@ TEST_CASE("every error says where and what") {
   CHECK(read_scene("[]").error().text() == "a scene is an object, this is a list");
 }
 
+namespace {
+
+constexpr const char* kGoals = R"("goals": [{"id": "east", "area": [[0, 0], [1, 0], [0, 1]]}])";
+/// The error of a crowd with two goals and `rest`.
+std::string crowd_error(const std::string& rest) {
+  const std::string error = error_of(R"("crowd": {)" + rest + ", " + kGoals + "}");
+  return error.starts_with("/crowd") ? error.substr(6) : error;
+}
+std::string goal_error(const std::string& rest) {
+  const std::string error = error_of(R"("crowd": {"goals": [{"id": "g", )" + rest + "}]}");
+  return error.starts_with("/crowd/goals/0") ? error.substr(14) : error;
+}
+const std::string kPopulation = R"("populations": [{"area": [[0, 0], [1, 0], [0, 1]], )";
+const std::string kSource = R"("sources": [{"area": [[0, 0], [1, 0], [0, 1]], )";
+
+}  // namespace
+
+TEST_CASE("errors of people say where and what") {
+  CHECK(crowd_error(kPopulation + R"("radius": 0.3}])") == "/populations/0: needs one of: count, spacing");
+  CHECK(crowd_error(kPopulation + R"("spacing": 1}])") == "");
+  CHECK(crowd_error(kPopulation + R"("count": 2, "jitter": 1}])") ==
+        "/populations/0/jitter: means nothing without \"spacing\"");
+  CHECK(crowd_error(kPopulation + R"("count": 2, "radius": [0.3, 0.2]}])") ==
+        "/populations/0/radius: begins with the larger number");
+  CHECK(crowd_error(kPopulation + R"("count": 2, "radius": [0.3, -1]}])") ==
+        "/populations/0/radius/1: -1 is outside [0.01, 100] m");
+  CHECK(crowd_error(kPopulation + R"("count": 2, "radius": "0.3"}])") ==
+        "/populations/0/radius: is neither a number nor [low, high]");
+  CHECK(crowd_error(kPopulation + R"("count": 2, "speed": {"deviation": -1}}])") ==
+        "/populations/0/speed/deviation: -1 is outside [0, 100] m/s");
+  CHECK(crowd_error(kSource + R"("rate": -2}])") == "/sources/0/rate: -2 is outside [0, 1000000] 1/s");
+  CHECK(crowd_error(kSource + R"("from": 9, "until": 3}])") == "/sources/0/until: 3 s is before from, 9 s");
+  CHECK(crowd_error(kSource + R"("goal": ["east", ["east", "wets"]]}])") ==
+        "/sources/0/goal/1/1: no goal is called \"wets\"");
+  CHECK(crowd_error(kSource + R"("goal": [[]]}])") == "/sources/0/goal/0: names no goal");
+  CHECK(crowd_error(kSource + R"("goal": []}])") == "/sources/0/goal: names no goal");
+  CHECK(crowd_error(kSource + R"("goal": 3}])") == "/sources/0/goal: is neither a goal's id nor a list of them");
+  CHECK(crowd_error(R"("step": 2)") == "/step: 2 is outside [0.0001, 1] s");
+  CHECK(crowd_error(R"("seconds": 0)") == "/seconds: 0 is outside [0.001, 10000000] s");
+  CHECK(crowd_error(R"("planner": "feld")") ==
+        "/planner: \"feld\" is none of: automatic, straight, paths, field; did you mean \"field\"?");
+  CHECK(goal_error(R"("wait": 1)") == ": needs exactly one of: area, direction, offset");
+  CHECK(goal_error(R"("offset": [1, 2], "direction": 90)") == ": needs exactly one of: area, direction, offset");
+  CHECK(goal_error(R"("direction": 90, "aim": [[0, 0], [1, 0], [0, 1]])") == "/aim: means nothing without \"area\"");
+  CHECK(goal_error(R"("direction": 90, "jitter": 1)") == "/jitter: means nothing without \"offset\"");
+  CHECK(goal_error(R"("direction": 90)") == "");
+}
+
+TEST_CASE("errors of a crowd model say where and what") {
+  CHECK(crowd_error(R"("model": {"type": "orka"})") == "/model/type: unknown model \"orka\"; did you mean \"orca\"?");
+  CHECK(crowd_error(R"("model": {"preset": "game"})") == "/model: \"type\" is missing");
+  CHECK(crowd_error(R"("model": {"type": "pbd", "preset": "games"})") ==
+        "/model/preset: \"games\" is none of: game, pedestrian; did you mean \"game\"?");
+  CHECK(crowd_error(R"("model": {"type": "orca", "horizont": 1})") ==
+        "/model/horizont: unknown key; did you mean \"horizon\"?");
+  CHECK(crowd_error(R"("model": {"type": "social-force", "sub_steps": 0})") ==
+        "/model/sub_steps: 0 is outside [1, 1000]");
+  CHECK(crowd_error(R"("model": {"type": "power-law", "strength": 2})") == "");
+}
+
+TEST_CASE("a preset gives the values that a model does not say and is written with what differs") {
+  const auto read = [](const std::string& model) {
+    const auto scene = read_scene(R"({"space": {"outline": [[0, 0], [5, 0], [5, 4]]}, "crowd": {"seconds": 9)" +
+                                  (model.empty() ? "" : R"(, "model": )" + model) + "}}");
+    REQUIRE_MESSAGE(scene.ok(), scene.error().text());
+    return *scene;
+  };
+  using enum PbdModel::Preset;
+  for (const auto preset : {game, pedestrian}) {
+    PbdModel wanted = PbdModel::of_preset(preset);
+    const std::string name = preset == game ? "game" : "pedestrian";
+    CHECK(read(R"({"type": "pbd", "preset": ")" + name + "\"}").crowd.model == CrowdModel(wanted));
+    wanted.iterations = 17;
+    const Scene scene = read(R"({"type": "pbd", "preset": ")" + name + R"(", "iterations": 17})");
+    CHECK(scene.crowd.model == CrowdModel(wanted));
+    const std::string text = write_scene(scene);
+    CHECK((preset == pedestrian ||
+           text.find(R"({"type": "pbd", "preset": ")" + name + R"(", "iterations": 17})") != std::string::npos));
+    CHECK(*read_scene(text) == scene);
+  }
+  CHECK(read(R"({"type": "pbd"})").crowd.model == Crowd{}.model);
+  CHECK(read("").crowd.model == Crowd{}.model);
+  CHECK(write_scene(read("")).find("model") == std::string::npos);
+}
+
+TEST_CASE("a radius is a number or a span and a goal is a route") {
+  const auto scene = read_scene(kFullScene);
+  REQUIRE(scene.ok());
+  const Crowd& crowd = scene->crowd;
+  CHECK(crowd.populations[0].radius == Span{0.5, 0.75});
+  CHECK(crowd.sources[0].radius == Span{0.2, 0.2});
+  CHECK(crowd.populations[0].goal.legs == std::vector<std::vector<std::string>>{{"east"}});
+  CHECK(crowd.populations[1].goal.legs == std::vector<std::vector<std::string>>{{"shop"}, {"east", "shop"}, {"away"}});
+  CHECK(*crowd.goals[2].direction == doctest::Approx(kPi / 2));
+  const std::string text = write_scene(*scene);
+  CHECK(text.find(R"("goal": ["shop", ["east", "shop"], "away"])") != std::string::npos);
+  CHECK(text.find(R"("goal": "east")") != std::string::npos);
+  CHECK(text.find(R"("radius": [0.5, 0.75])") != std::string::npos);
+  CHECK(text.find(R"("radius": 0.2)") != std::string::npos);
+}
+
 TEST_CASE("errors of the space say where and what") {
   CHECK(read_scene(R"({"space": {"outline": [[0, 0], [1, 1], [1, 0], [0, 1]]}})")
             .error()

@@ -35,22 +35,30 @@ template <class T>
 concept HasTable = requires {
   Table<T>::members;
 };
+/// Constraints and crowd models describe themselves.
 template <class T>
-concept IsConstraint = requires {
+concept HasFields = requires {
   T::kFields;
+};
+
+/// One member that means something only beside another.
+struct OnlyWith {
+  std::string_view name, with;
 };
 
 /// Calls f(name, pointer to member, spec) for every member that a T may have in a document, in the order of writing.
 template <class T, class F>
 void for_each_member(F&& f) {
-  if constexpr (IsConstraint<T>) {
+  if constexpr (HasFields<T>) {
     for (const auto& field : T::kFields) {
       const Spec spec{field.help, field.unit, field.low, field.high, field.required, field.choices};
       std::visit([&](auto pointer) { f(field.name, pointer, spec); }, field.member);
     }
-    f("stiffness", &Strength::stiffness,
-      Spec{"how much of the error one projection removes; the kind's default when absent", "", 0, 1});
-    f("weight", &Strength::weight, Spec{"weight in the energy; the kind's default when absent", "", 0, 1e6});
+    if constexpr (std::derived_from<T, Strength>) {
+      f("stiffness", &Strength::stiffness,
+        Spec{"how much of the error one projection removes; the kind's default when absent", "", 0, 1});
+      f("weight", &Strength::weight, Spec{"weight in the energy; the kind's default when absent", "", 0, 1e6});
+    }
   } else {
     std::apply([&](const auto&... member) { (f(member.name, member.pointer, member.spec), ...); }, Table<T>::members);
   }
@@ -159,48 +167,92 @@ template <>
 struct Table<Speed> {
   static constexpr std::tuple members{
       Member{"mean", &Speed::mean, {"mean desired speed", "m/s", 0, 100}},
-      Member{"deviation", &Speed::deviation, {"its standard deviation", "m/s", 0, 100}}};
+      Member{"deviation", &Speed::deviation, {"its standard deviation", "m/s", 0, 100}},
+      Member{"maximum", &Speed::maximum, {"nobody is faster; 1.3 times each one's wish when absent", "m/s", 0, 100}}};
+};
+
+constexpr double kLongest = 1e7;  ///< seconds, a third of a year
+
+template <>
+struct Table<Body> {
+  static constexpr std::tuple members{
+      Member{"radius", &Body::radius, {"half a person's width; [low, high]: evenly spread", "m", 0.01, 100}},
+      Member{"mass", &Body::mass, {"mass of a person relative to the others", "", 1e-6, 1e6}},
+      Member{"speed", &Body::speed, {"desired speed"}},
+      Member{"goal", &Body::goal, {"goals one after the other; of several in brackets, the nearest"}}};
 };
 
 template <>
 struct Table<Population> {
-  static constexpr std::tuple members{
-      Member{"id", &Population::id, {"unique name among populations"}},
-      Member{"count", &Population::count, {"how many people", "", 0, 1e7, true}},
-      Member{"area", &Population::area, {"where they stand at first", "m", -kMetres, kMetres, true}},
-      Member{
-          "spacing", &Population::spacing, {"side of the grid they stand on; at random when absent", "m", 0.01, 1e4}},
-      Member{"radius", &Population::radius, {"half a person's width", "m", 0.01, 10}},
-      Member{"mass", &Population::mass, {"mass of a person relative to the others", "", 1e-6, 1e6}},
-      Member{"speed", &Population::speed, {"desired speed"}},
-      Member{"goal", &Population::goal, {"id of the goal they walk to"}}};
+  static constexpr std::tuple members = std::tuple_cat(
+      std::tuple{
+          Member{"id", &Population::id, {"unique name among populations"}},
+          Member{"count", &Population::count, {"how many; one on every point of the grid when absent", "", 0, 1e7}},
+          Member{"area", &Population::area, {"where they are at first", "m", -kMetres, kMetres, true}},
+          Member{"spacing",
+                 &Population::spacing,
+                 {"side of the square grid they stand on; at random when absent", "m", 0.01, 1e4}},
+          Member{"jitter", &Population::jitter, {"each coordinate moved by up to this much either way", "m", 0, 1e4}}},
+      Table<Body>::members);
+  static constexpr std::array<std::string_view, 2> needs_one_of = {"count", "spacing"};
+  static constexpr std::array only_with = {OnlyWith{"jitter", "spacing"}};
 };
 
 template <>
 struct Table<Source> {
-  static constexpr std::tuple members{
-      Member{"id", &Source::id, {"unique name among sources"}},
-      Member{"area", &Source::area, {"where people appear", "m", -kMetres, kMetres, true}},
-      Member{"rate", &Source::rate, {"how many appear", "1/s", 0, 1e6}},
-      Member{"radius", &Source::radius, {"half a person's width", "m", 0.01, 10}},
-      Member{"mass", &Source::mass, {"mass of a person relative to the others", "", 1e-6, 1e6}},
-      Member{"speed", &Source::speed, {"desired speed"}},
-      Member{"goal", &Source::goal, {"id of the goal they walk to"}}};
+  static constexpr std::tuple members = std::tuple_cat(
+      std::tuple{
+          Member{"id", &Source::id, {"unique name among sources"}},
+          Member{"area", &Source::area, {"where people appear", "m", -kMetres, kMetres, true}},
+          Member{"rate", &Source::rate, {"how many appear", "1/s", 0, 1e6}},
+          Member{"arrivals", &Source::arrivals, {"evenly, or at random (Poisson)", "", 0, 0, false, "even|poisson"}},
+          Member{"from", &Source::from, {"nobody appears before", "s", 0, kLongest}},
+          Member{"until", &Source::until, {"nobody appears after; never ends when absent", "s", 0, kLongest}},
+          Member{"count", &Source::count, {"not more than so many in all", "", 0, 1e7}}},
+      Table<Body>::members);
 };
 
 template <>
 struct Table<Goal> {
   static constexpr std::tuple members{
       Member{"id", &Goal::id, {"unique name among goals", "", 0, 0, true}},
-      Member{"area", &Goal::area, {"reached on entering it", "m", -kMetres, kMetres, true}}};
+      Member{"area", &Goal::area, {"reached on entering it", "m", -kMetres, kMetres}},
+      Member{"aim",
+             &Goal::aim,
+             {"what they head for until they are in the area; itself when absent", "m", -kMetres, kMetres}},
+      Member{"direction", &Goal::direction, {"this way for ever, counter-clockwise from +x", "rad", -kTurn, kTurn}},
+      Member{"offset", &Goal::offset, {"so far from where each one started", "m", -kMetres, kMetres}},
+      Member{
+          "jitter", &Goal::jitter, {"each coordinate of an offset moved by up to this much either way", "m", 0, 1e4}},
+      Member{"wait", &Goal::wait, {"stays there so long before going on", "s", 0, kLongest}},
+      Member{"absorb", &Goal::absorb, {"who arrives at the end of a route leaves the scene"}}};
+  static constexpr std::array<std::string_view, 3> exactly_one_of = {"area", "direction", "offset"};
+  static constexpr std::array only_with = {OnlyWith{"aim", "area"}, OnlyWith{"jitter", "offset"}};
 };
 
 template <>
 struct Table<Crowd> {
-  static constexpr std::tuple members{Member{"populations", &Crowd::populations, {"people who are there at first"}},
-                                      Member{"sources", &Crowd::sources, {"places where people appear"}},
-                                      Member{"goals", &Crowd::goals, {"places where people want to be"}}};
+  static constexpr std::tuple members{
+      Member{"populations", &Crowd::populations, {"people who are there at first"}},
+      Member{"sources", &Crowd::sources, {"places where people appear"}},
+      Member{"goals", &Crowd::goals, {"places where people want to be"}},
+      Member{"model", &Crowd::model, {"how they walk; pbd with its preset pedestrian when absent"}},
+      Member{
+          "planner", &Crowd::planner, {"how they find their way", "", 0, 0, false, "automatic|straight|paths|field"}},
+      Member{"step", &Crowd::step, {"of time", "s", 1e-4, 1}},
+      Member{"seconds", &Crowd::seconds, {"how long a simulation runs when nobody says", "s", 1e-3, kLongest}}};
 };
+
+/// What the members that a document does not say have: T{}, and a preset's values where there are presets.
+template <class T>
+T default_like(const T&) {
+  return {};
+}
+inline PbdModel default_like(const PbdModel& model) {
+  return PbdModel::of_preset(static_cast<PbdModel::Preset>(model.preset));
+}
+/// The preset of a model that does not say one: what a scene without a model has, too.
+constexpr auto kUsualPreset = PbdModel::Preset::pedestrian;
 
 template <>
 struct Table<Scene> {

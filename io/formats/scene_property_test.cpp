@@ -28,17 +28,7 @@ class RandomScene {
     for_each_type(ConstraintKinds{}, [&]<class T>(std::type_identity<T>) {
       for (std::uint32_t i = rng_.index(3); i > 0; --i) s.constraints.add(constraint<T>(s));
     });
-    s.crowd.goals.push_back({id(), star({9, 9}, 3), extras()});
-    s.crowd.populations.push_back({id(),
-                                   static_cast<int>(rng_.index(1000)),
-                                   star({-9, 3}, 2),
-                                   maybe(1, 9),
-                                   rng_.uniform(0.1, 1),
-                                   rng_.uniform(0.1, 9),
-                                   {rng_.uniform(), rng_.uniform()},
-                                   s.crowd.goals[0].id,
-                                   extras()});
-    s.crowd.sources.push_back({id(), star({5, 3}, 2), rng_.uniform(), rng_.uniform(0.1, 1), 2, {1, 0}, "", extras()});
+    s.crowd = crowd(s);
     return s;
   }
 
@@ -102,9 +92,69 @@ class RandomScene {
     return g;
   }
 
-  // Constraints: any value that the field's own description allows.
+  // People.
+  Span span() {
+    const double low = rng_.uniform(0.1, 1);
+    return {low, coin() ? low : rng_.uniform(low, 2)};
+  }
+  Route route(const Crowd& c) {
+    Route r;
+    for (std::uint32_t legs = rng_.index(4); legs > 0; --legs) {
+      auto& leg = r.legs.emplace_back();
+      for (std::uint32_t i = rng_.index(3) + 1; i > 0; --i)
+        leg.push_back(c.goals[rng_.index(static_cast<std::uint32_t>(c.goals.size()))].id);
+    }
+    return r;
+  }
+  Body body(const Crowd& c) {
+    return {span(), rng_.uniform(0.1, 9), {rng_.uniform(), rng_.uniform(), maybe(0, 3)}, route(c)};
+  }
+  Goal goal() {
+    Goal g;
+    g.id = id() + "g", g.wait = rng_.uniform(0, 60), g.absorb = coin(), g.extras = extras();
+    switch (rng_.index(3)) {
+      case 0:
+        g.area = star({9, 9}, 3);
+        if (coin()) g.aim = star({9, 9}, 1);
+        break;
+      case 1:
+        g.direction = angle();
+        break;
+      default:
+        g.offset = Vec2{rng_.uniform(-9, 9), rng_.uniform(-9, 9)}, g.jitter = rng_.uniform();
+    }
+    return g;
+  }
+  Crowd crowd(const Scene& s) {
+    Crowd c;
+    for (std::uint32_t i = 1 + rng_.index(4); i > 0; --i) c.goals.push_back(goal());
+    for (std::uint32_t i = rng_.index(3); i > 0; --i) {
+      Population& p = c.populations.emplace_back();
+      static_cast<Body&>(p) = body(c);
+      p.id = id(), p.area = star({-9, 3}, 2), p.extras = extras();
+      if (coin()) p.count = static_cast<int>(rng_.index(1000));
+      if (!p.count || coin()) p.spacing = rng_.uniform(0.1, 9), p.jitter = rng_.uniform();
+    }
+    for (std::uint32_t i = rng_.index(3); i > 0; --i) {
+      Source& source = c.sources.emplace_back();
+      static_cast<Body&>(source) = body(c);
+      source.id = id(), source.area = star({5, 3}, 2), source.rate = rng_.uniform(), source.extras = extras();
+      source.arrivals = static_cast<Source::Arrivals>(rng_.index(2)), source.from = rng_.uniform(0, 9);
+      source.until = maybe(10, 99);
+      if (coin()) source.count = static_cast<int>(rng_.index(1000));
+    }
+    std::size_t which = rng_.index(static_cast<std::uint32_t>(CrowdModels::size));
+    for_each_type(CrowdModels{}, [&]<class T>(std::type_identity<T>) {
+      if (which-- == 0) c.model = filled<T>(s);
+    });
+    c.planner = static_cast<Planner>(rng_.index(4)), c.step = rng_.uniform(0.001, 1);
+    c.seconds = rng_.uniform(1, 1e4), c.extras = extras();
+    return c;
+  }
+
+  // Constraints and crowd models: any value that the field's own description allows.
   template <class T>
-  T constraint(const Scene& s) {
+  T filled(const Scene& s) {
     T c;
     for (const auto& field : T::kFields)
       std::visit(
@@ -112,6 +162,11 @@ class RandomScene {
             fill(c.*pointer, Spec{"", field.unit, field.low, field.high, true, field.choices}, s);
           },
           field.member);
+    return c;
+  }
+  template <class T>
+  T constraint(const Scene& s) {
+    T c = filled<T>(s);
     if constexpr (requires {
                     c.min;
                     c.max;
@@ -130,7 +185,8 @@ class RandomScene {
   void fill(bool& x, const Spec&, const Scene&) { x = coin(); }
   void fill(int& x, const Spec& spec, const Scene&) {
     x = spec.choices.empty()
-            ? 0
+            ? static_cast<int>(spec.low +
+                               rng_.index(static_cast<std::uint32_t>(std::min(spec.high, 1e3) - spec.low) + 1))
             : static_cast<int>(rng_.index(static_cast<std::uint32_t>(split_choices(spec.choices).size())));
   }
   void fill(Ref& x, const Spec&, const Scene& s) {

@@ -56,6 +56,12 @@ class SceneReader {
            {std::pair{"doors", Ref::Kind::door}, {"holes", Ref::Kind::none}, {"windows", Ref::Kind::none}})
         if (!collect(space.find(list), kind)) return false;
     }
+    const JsonValue crowd = root.find("crowd");
+    if (const JsonValue goals = crowd.none() ? crowd : crowd.find("goals"); !goals.none() && goals.is(Json::array)) {
+      for (const JsonValue goal : goals) {
+        if (const JsonValue id = goal.find("id"); !id.none() && id.is(Json::text)) goals_.push_back(id.text());
+      }
+    }
     return collect(root.find("objects"), Ref::Kind::object) && collect(root.find("groups"), Ref::Kind::group);
   }
   bool collect(JsonValue list, Ref::Kind kind) {
@@ -98,6 +104,7 @@ class SceneReader {
         good = read(member, out.*pointer, spec);
       }
     });
+    if constexpr (HasTable<T>) good = good && check_company<T>(v);
     if constexpr (requires { out.extras; }) {
       if (good && known < v.size()) {
         for (const JsonValue member : v) {
@@ -106,6 +113,33 @@ class SceneReader {
       }
     }
     return good;
+  }
+
+  /// What may, must and must not stand together in an object.
+  template <class T>
+  bool check_company(JsonValue v) {
+    const auto given = [&](std::string_view name) { return !v.find(name).none(); };
+    if constexpr (requires { Table<T>::needs_one_of; }) {
+      if (std::ranges::none_of(Table<T>::needs_one_of, given))
+        return fail(v, "needs one of: " + joined(Table<T>::needs_one_of));
+    }
+    if constexpr (requires { Table<T>::exactly_one_of; }) {
+      if (std::ranges::count_if(Table<T>::exactly_one_of, given) != 1)
+        return fail(v, "needs exactly one of: " + joined(Table<T>::exactly_one_of));
+    }
+    if constexpr (requires { Table<T>::only_with; }) {
+      for (const OnlyWith& rule : Table<T>::only_with) {
+        if (given(rule.name) && !given(rule.with))
+          return fail(v.find(rule.name), "means nothing without \"" + std::string(rule.with) + "\"");
+      }
+    }
+    return true;
+  }
+  template <class Names>
+  static std::string joined(const Names& names) {
+    std::string all;
+    for (const std::string_view name : names) all += (all.empty() ? "" : ", ") + std::string(name);
+    return all;
   }
 
   bool number(JsonValue v, double& out, const Spec& spec) {
@@ -134,9 +168,7 @@ class SceneReader {
     const auto names = split_choices(spec.choices);
     const auto found = std::ranges::find(names, v.text());
     if (found == names.end()) {
-      std::string all;
-      for (const std::string_view name : names) all += (all.empty() ? "" : ", ") + std::string(name);
-      return fail(v, quoted(v.text()) + " is none of: " + all + did_you_mean(v.text(), names));
+      return fail(v, quoted(v.text()) + " is none of: " + joined(names) + did_you_mean(v.text(), names));
     }
     out = static_cast<int>(found - names.begin());
     return true;
@@ -317,11 +349,7 @@ class SceneReader {
   bool check_constraint(JsonValue v, T& constraint) {
     const auto given = [&](std::string_view name) { return !v.find(name).none(); };
     if constexpr (requires { T::kNeedsOneOf; }) {
-      if (std::ranges::none_of(T::kNeedsOneOf, given)) {
-        std::string all;
-        for (const std::string_view name : T::kNeedsOneOf) all += (all.empty() ? "" : ", ") + std::string(name);
-        return fail(v, "needs one of: " + all);
-      }
+      if (std::ranges::none_of(T::kNeedsOneOf, given)) return fail(v, "needs one of: " + joined(T::kNeedsOneOf));
     }
     const JsonValue min = v.find("min"), max = v.find("max");
     if (!min.none() && !max.none() && min.number() > max.number())
@@ -339,7 +367,67 @@ class SceneReader {
     return good;
   }
 
+  // People.
+  bool read(JsonValue v, Span& out, const Spec& spec) {
+    if (v.is(Json::number)) return number(v, out.low, spec) && number(v, out.high, spec);
+    if (!v.is(Json::array)) return fail(v, "is neither a number nor [low, high]");
+    std::array<double, 2> ends{};
+    if (!numbers(v, ends, spec)) return false;
+    out = {ends[0], ends[1]};
+    return out.low <= out.high || fail(v, "begins with the larger number");
+  }
+  bool goal(JsonValue v, std::vector<std::string>& leg) {
+    if (!expect(v, Json::text)) return false;
+    if (std::ranges::find(goals_, v.text()) == goals_.end())
+      return fail(v, "no goal is called " + quoted(v.text()) + did_you_mean(v.text(), goals_));
+    leg.emplace_back(v.text());
+    return true;
+  }
+  bool read(JsonValue v, Route& out, const Spec&) {
+    if (v.is(Json::text)) return goal(v, out.legs.emplace_back());
+    if (!v.is(Json::array)) return fail(v, "is neither a goal's id nor a list of them");
+    if (v.size() == 0) return fail(v, "names no goal");
+    for (const JsonValue leg : v) {
+      std::vector<std::string>& goals = out.legs.emplace_back();
+      if (!leg.is(Json::array)) {
+        if (!goal(leg, goals)) return false;
+        continue;
+      }
+      if (leg.size() == 0) return fail(leg, "names no goal");
+      for (const JsonValue item : leg) {
+        if (!goal(item, goals)) return false;
+      }
+    }
+    return true;
+  }
+  bool read(JsonValue v, CrowdModel& out, const Spec&) {
+    if (!expect(v, Json::object)) return false;
+    const JsonValue type = v.find("type");
+    if (type.none()) return fail(v, "\"type\" is missing");
+    if (!expect(type, Json::text)) return false;
+    bool found = false, good = false;
+    std::vector<std::string_view> names;
+    for_each_type(CrowdModels{}, [&]<class T>(std::type_identity<T>) {
+      names.push_back(T::kName);
+      if (found || type.text() != T::kName) return;
+      found = true;
+      T model;
+      if constexpr (std::is_same_v<T, PbdModel>) {
+        const auto& field = PbdModel::kFields.front();
+        int preset = static_cast<int>(kUsualPreset);
+        if (const JsonValue given = v.find(field.name);
+            !given.none() && !choice(given, preset, Spec{.choices = field.choices}))
+          return;
+        model = PbdModel::of_preset(static_cast<PbdModel::Preset>(preset));
+      }
+      good = read_object(v, model, {"type"});
+      out = model;
+    });
+    return found ? good : fail(type, "unknown model " + quoted(type.text()) + did_you_mean(type.text(), names));
+  }
+
   Names names_;
+  std::vector<std::string_view> goals_;
   std::size_t walls_ = 0;
   bool ring_turned_ = false, outline_turned_ = false;
 };

@@ -62,18 +62,6 @@ Status check_names(const std::vector<Named>& list, std::string_view where) {
   return Done{};
 }
 
-template <class Walker>
-Status check_goals(const Crowd& crowd, const std::vector<Walker>& list, std::string_view where) {
-  std::vector<std::string_view> names;
-  for (const Goal& goal : crowd.goals) names.push_back(goal.id);
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    if (!list[i].goal.empty() && std::ranges::find(names, list[i].goal) == names.end())
-      return invalid(at(where, i, "goal"),
-                     "no goal is called " + quoted(list[i].goal) + did_you_mean(list[i].goal, names));
-  }
-  return Done{};
-}
-
 }  // namespace
 
 Status check_space(const Space& space) {
@@ -130,8 +118,13 @@ Status check_crowd(const Crowd& crowd) {
   if (const Status s = check_names(crowd.populations, "/crowd/populations"); !s) return s;
   if (const Status s = check_names(crowd.sources, "/crowd/sources"); !s) return s;
   if (const Status s = check_names(crowd.goals, "/crowd/goals"); !s) return s;
-  if (const Status s = check_goals(crowd, crowd.populations, "/crowd/populations"); !s) return s;
-  return check_goals(crowd, crowd.sources, "/crowd/sources");
+  for (std::size_t i = 0; i < crowd.sources.size(); ++i) {
+    const Source& source = crowd.sources[i];
+    if (source.until && *source.until < source.from)
+      return invalid(at("/crowd/sources", i, "until"),
+                     number_text(*source.until) + " s is before from, " + number_text(source.from) + " s");
+  }
+  return Done{};
 }
 
 void turn_walls(Space& space) {

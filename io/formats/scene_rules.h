@@ -11,7 +11,7 @@ Status check_space(const Space& space);
 Status check_objects(const Scene& scene);
 /// No group contains itself and nothing is in two groups.
 Status check_groups(const Scene& scene);
-/// Goals exist; no two populations, sources or goals share a name.
+/// No two populations, sources or goals share a name; no source ends before it begins.
 Status check_crowd(const Crowd& crowd);
 
 /// Numbers doors' and windows' walls anew after the outline's corners 1 … n-1 were put in reverse order.

@@ -11,7 +11,12 @@ namespace {
 template <class T, class M>
 std::string default_of(M pointer, const Spec& spec) {
   using X = std::remove_cvref_t<decltype(std::declval<T>().*pointer)>;
-  const T value{};
+  // What a preset decides has no one default.
+  if (std::is_same_v<T, PbdModel>)
+    return spec.choices.starts_with("game|")
+               ? quoted(split_choices(spec.choices)[static_cast<std::size_t>(kUsualPreset)])
+               : "";
+  static const T value{};
   std::string out;
   if constexpr (std::is_same_v<X, double>) {
     append_number(out, spec.unit == "rad" ? file_degrees(value.*pointer) : value.*pointer);
@@ -24,6 +29,8 @@ std::string default_of(M pointer, const Spec& spec) {
   } else if constexpr (std::is_same_v<X, Vec3>) {
     const Vec3 v = value.*pointer;
     out = std::string("[") + number_text(v.x) + ", " + number_text(v.y) + ", " + number_text(v.z) + "]";
+  } else if constexpr (std::is_same_v<X, Span>) {
+    append_number(out, (value.*pointer).low);
   } else if constexpr (std::is_same_v<X, std::uint64_t>) {
     out = std::to_string(value.*pointer);
   }
@@ -60,6 +67,25 @@ class SchemaWriter {
     if (!required.empty()) out_ += R"(, "required": [)" + required + "]";
     if constexpr (requires(T t) { t.extras; }) out_ += R"(, "patternProperties": {"^x-": {}})";
     out_ += R"(, "additionalProperties": false)";
+    if constexpr (HasTable<T>) company<T>();
+  }
+  template <class List>
+  void required_one_by_one(std::string_view keyword, const List& names) {
+    out_ += ", " + quoted(keyword) + ": [";
+    for (const std::string_view name : names) out_ += R"({"required": [)" + quoted(name) + "]}, ";
+    out_.resize(out_.size() - 2);
+    out_ += ']';
+  }
+  template <class T>
+  void company() {
+    if constexpr (requires { Table<T>::needs_one_of; }) required_one_by_one("anyOf", Table<T>::needs_one_of);
+    if constexpr (requires { Table<T>::exactly_one_of; }) required_one_by_one("oneOf", Table<T>::exactly_one_of);
+    if constexpr (requires { Table<T>::only_with; }) {
+      out_ += R"(, "dependencies": {)";
+      for (const OnlyWith& rule : Table<T>::only_with) out_ += quoted(rule.name) + ": [" + quoted(rule.with) + "], ";
+      out_.resize(out_.size() - 2);
+      out_ += '}';
+    }
   }
   void describe(const Spec& spec) {
     if (spec.help.empty()) return;
@@ -139,16 +165,34 @@ class SchemaWriter {
     for_each_type(ConstraintKinds{}, [&]<class T>(std::type_identity<T>) {
       out_ += '{';
       properties<T>(R"("type": {"const": )" + quoted(T::kName) + "}, ", R"("type")");
-      if constexpr (requires { T::kNeedsOneOf; }) {
-        out_ += R"(, "anyOf": [)";
-        for (const std::string_view name : T::kNeedsOneOf) out_ += R"({"required": [)" + quoted(name) + "]}, ";
-        out_.resize(out_.size() - 2);
-        out_ += ']';
-      }
+      if constexpr (requires { T::kNeedsOneOf; }) required_one_by_one("anyOf", T::kNeedsOneOf);
       out_ += "}, ";
     });
     out_.resize(out_.size() - 2);
     out_ += "]}";
+  }
+
+  void type(std::type_identity<Span>, const Spec& spec) {
+    out_ += R"("oneOf": [{)";
+    type(std::type_identity<double>{}, spec);
+    out_ += "}, {";
+    numbers(2, spec);
+    out_ += "}]";
+  }
+  void type(std::type_identity<Route>, const Spec&) {
+    out_ +=
+        R"("oneOf": [{"type": "string"}, {"type": "array", "minItems": 1, "items": {"oneOf": [{"type": "string"}, )";
+    out_ += R"({"type": "array", "minItems": 1, "items": {"type": "string"}}]}}])";
+  }
+  void type(std::type_identity<CrowdModel>, const Spec&) {
+    out_ += R"("oneOf": [)";
+    for_each_type(CrowdModels{}, [&]<class T>(std::type_identity<T>) {
+      out_ += '{';
+      properties<T>(R"("type": {"const": )" + quoted(T::kName) + "}, ", R"("type")");
+      out_ += "}, ";
+    });
+    out_.resize(out_.size() - 2);
+    out_ += ']';
   }
 
   std::string out_;

@@ -32,9 +32,9 @@ class SceneWriter {
   }
   template <class T>
   void members(const T& value) {
-    [[maybe_unused]] static const T kDefault{};
+    const T absent = default_like(value);
     for_each_member<T>([&](std::string_view name, auto pointer, const Spec& spec) {
-      if (!spec.required && value.*pointer == kDefault.*pointer) return;
+      if (!spec.required && value.*pointer == absent.*pointer) return;
       key(name);
       write(value.*pointer, spec);
     });
@@ -84,6 +84,33 @@ class SceneWriter {
   requires HasTable<T>
   void write(const T& value, const Spec&) { object(value); }
   void write(const Curve& curve, const Spec&) { object(curve_to_file(curve)); }
+  void write(const Span& span, const Spec& spec) {
+    if (span.low == span.high) return write(span.low, spec);
+    list(std::array{span.low, span.high}, spec);
+  }
+  void write(const Route& route, const Spec& spec) {
+    if (route.legs.size() == 1 && route.legs[0].size() == 1) return write(route.legs[0][0], spec);
+    out_ += '[';
+    for (const auto& leg : route.legs) {
+      comma();
+      leg.size() == 1 ? write(leg[0], spec) : list(leg, spec);
+    }
+    out_ += ']';
+  }
+  void write(const CrowdModel& model, const Spec&) {
+    std::visit(
+        [&]<class T>(const T& m) {
+          out_ += '{';
+          key("type"), append_quoted(out_, T::kName);
+          if constexpr (std::is_same_v<T, PbdModel>) {
+            const auto& preset = PbdModel::kFields.front();
+            key(preset.name), write(m.preset, Spec{.choices = preset.choices});
+          }
+          members(m);
+          out_ += '}';
+        },
+        model);
+  }
   void write(const Constraints& constraints, const Spec&) {
     out_ += '[';
     for (const auto& place : constraints.order) {
