@@ -67,6 +67,8 @@ void Pbd::State::set_constants(float dt) {
   k.kinetic_friction = static_cast<float>(p.kinetic_friction);
   k.velocity_change = static_cast<float>(p.maximum_acceleration) * dt;
   k.far = p.far;
+  k.headway = static_cast<float>(p.headway);
+  k.cohesion = static_cast<float>(p.cohesion), k.cohesion_range = static_cast<float>(p.cohesion_range);
   k.far_horizon = static_cast<float>(p.far_horizon);
   const double whole = 1 - std::pow(1 - p.far_stiffness, kFarPasses);
   stiffness.clear();
@@ -176,6 +178,7 @@ void Pbd::State::hold_walls(const Walls& walls, FloatArray& x, FloatArray& y, st
 }
 
 void Pbd::State::advance(const Walls& walls) {
+  if (constants.headway > 0) for_each_chunk([&](std::size_t c) { heed(work, constants, c); });
   if (constants.far != 0) {
     for_each_chunk([&](std::size_t c) { foresee(work, constants, c, work.next_x.data(), work.next_y.data()); });
     work.vx.swap(work.next_x), work.vy.swap(work.next_y);
@@ -205,6 +208,10 @@ void Pbd::State::advance(const Walls& walls) {
       hold_walls(walls, work.next_x, work.next_y, c);
     });
     work.x.swap(work.next_x), work.y.swap(work.next_y);
+  }
+  if (constants.cohesion > 0) {
+    for_each_chunk([&](std::size_t c) { cohere(work, constants, c, work.next_x.data(), work.next_y.data()); });
+    work.vx.swap(work.next_x), work.vy.swap(work.next_y);
   }
 }
 

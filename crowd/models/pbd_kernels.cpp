@@ -170,6 +170,66 @@ void finish(Work& work, const Constants& k, std::size_t chunk) {
   }
 }
 
+/// (r_i + r_j), not grown.
+HWY_INLINE V both_radii(const Work& work, V ri, VI other) {
+  if (work.alike()) return set(2 * work.common_radius);
+  return hn::Add(ri, hn::GatherIndex(kD, work.radius.data(), other));
+}
+
+void heed(Work& work, const Constants& k, std::size_t chunk) {
+  for_each_vector(work, work.chunks[chunk].far, chunk,
+                  [&](std::size_t i, VI self, const std::int32_t* items, std::uint32_t rows) {
+                    const V xi = hn::Load(kD, work.x.data() + i), yi = hn::Load(kD, work.y.data() + i);
+                    const V wx = hn::Load(kD, work.wish_x.data() + i), wy = hn::Load(kD, work.wish_y.data() + i);
+                    const V ri = work.alike() ? xi : hn::Load(kD, work.radius.data() + i);
+                    const V speed = hn::Sqrt(hn::Add(hn::Mul(wx, wx), hn::Mul(wy, wy)));
+                    const V inverse = hn::Div(set(1), hn::Max(speed, set(1e-12f)));
+                    const V ex = hn::Mul(wx, inverse), ey = hn::Mul(wy, inverse);
+                    V allowed = speed;
+                    for (std::uint32_t r = 0; r < rows; ++r) {
+                      const VI other = hn::Load(kDI, items + r * kLanes);
+                      const V dx = hn::Sub(hn::GatherIndex(kD, work.x.data(), other), xi);
+                      const V dy = hn::Sub(hn::GatherIndex(kD, work.y.data(), other), yi);
+                      const V along = hn::Add(hn::Mul(dx, ex), hn::Mul(dy, ey));
+                      const V across = hn::Sub(hn::Mul(dy, ex), hn::Mul(dx, ey));
+                      const V reach = both_radii(work, ri, other);
+                      const V under = hn::Sub(hn::Mul(reach, reach), hn::Mul(across, across));
+                      const M ahead = hn::AndNot(hn::RebindMask(kD, hn::Eq(self, other)),
+                                                 hn::And(hn::Gt(along, hn::Zero(kD)), hn::Gt(under, hn::Zero(kD))));
+                      const V gap = hn::Max(hn::Sub(along, hn::Sqrt(hn::Max(under, hn::Zero(kD)))), hn::Zero(kD));
+                      allowed = hn::IfThenElse(ahead, hn::Min(allowed, hn::Div(gap, set(k.headway))), allowed);
+                    }
+                    hn::Store(hn::Mul(ex, allowed), kD, work.wish_x.data() + i);
+                    hn::Store(hn::Mul(ey, allowed), kD, work.wish_y.data() + i);
+                  });
+}
+
+void cohere(const Work& work, const Constants& k, std::size_t chunk, float* out_vx, float* out_vy) {
+  for_each_vector(
+      work, work.chunks[chunk].far, chunk, [&](std::size_t i, VI self, const std::int32_t* items, std::uint32_t rows) {
+        const V xi = hn::Load(kD, work.x.data() + i), yi = hn::Load(kD, work.y.data() + i);
+        const V vx = hn::Load(kD, work.vx.data() + i), vy = hn::Load(kD, work.vy.data() + i);
+        const V radius = work.alike() ? set(work.common_radius) : hn::Load(kD, work.radius.data() + i);
+        const V range = hn::Mul(set(k.cohesion_range), radius);
+        const V range2 = hn::Mul(range, range);
+        V sx = hn::Zero(kD), sy = sx, weights = sx;
+        for (std::uint32_t r = 0; r < rows; ++r) {
+          const VI other = hn::Load(kDI, items + r * kLanes);
+          const V dx = hn::Sub(hn::GatherIndex(kD, work.x.data(), other), xi);
+          const V dy = hn::Sub(hn::GatherIndex(kD, work.y.data(), other), yi);
+          const V rest = hn::Max(hn::Sub(range2, hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy))), hn::Zero(kD));
+          const V weight =
+              hn::IfThenZeroElse(hn::RebindMask(kD, hn::Eq(self, other)), hn::Mul(hn::Mul(rest, rest), rest));
+          sx = hn::Add(sx, hn::Mul(weight, hn::Sub(hn::GatherIndex(kD, work.vx.data(), other), vx)));
+          sy = hn::Add(sy, hn::Mul(weight, hn::Sub(hn::GatherIndex(kD, work.vy.data(), other), vy)));
+          weights = hn::Add(weights, weight);
+        }
+        const V factor = hn::Div(set(k.cohesion), hn::Max(weights, set(1e-12f)));
+        hn::Store(hn::Add(vx, hn::Mul(sx, factor)), kD, out_vx + i);
+        hn::Store(hn::Add(vy, hn::Mul(sy, factor)), kD, out_vy + i);
+      });
+}
+
 void foresee(const Work& work, const Constants& k, std::size_t chunk, float* out_vx, float* out_vy) {
   const V keep = set(1 - k.blend), blend = set(k.blend), dt = set(k.dt);
   const auto preferred = [&](V v, V wish) { return hn::Add(hn::Mul(keep, v), hn::Mul(blend, wish)); };
@@ -252,6 +312,8 @@ HWY_EXPORT(predict);
 HWY_EXPORT(project);
 HWY_EXPORT(finish);
 HWY_EXPORT(foresee);
+HWY_EXPORT(heed);
+HWY_EXPORT(cohere);
 
 void stabilise(const Work& work, const Constants& k, std::size_t chunk, float* x, float* y) {
   HWY_DYNAMIC_DISPATCH(stabilise)(work, k, chunk, x, y);
@@ -261,6 +323,10 @@ void project(const Work& work, const Constants& k, std::size_t chunk, float* x, 
   HWY_DYNAMIC_DISPATCH(project)(work, k, chunk, x, y);
 }
 void finish(Work& work, const Constants& k, std::size_t chunk) { HWY_DYNAMIC_DISPATCH(finish)(work, k, chunk); }
+void heed(Work& work, const Constants& k, std::size_t chunk) { HWY_DYNAMIC_DISPATCH(heed)(work, k, chunk); }
+void cohere(const Work& work, const Constants& k, std::size_t chunk, float* vx, float* vy) {
+  HWY_DYNAMIC_DISPATCH(cohere)(work, k, chunk, vx, vy);
+}
 void foresee(const Work& work, const Constants& k, std::size_t chunk, float* vx, float* vy) {
   HWY_DYNAMIC_DISPATCH(foresee)(work, k, chunk, vx, vy);
 }

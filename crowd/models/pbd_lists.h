@@ -19,8 +19,6 @@ constexpr std::size_t kMostContacts = 48;
 /// Finds the neighbours of a chunk's agents: everybody whose grown disc comes within the skin, and the nearest few
 /// within the far range (by distance, then by index). Requires: the agents are in the grid's order.
 void find_neighbours(Work& work, const Grid& grid, const Reach& reach, std::size_t chunk);
-/// The readable version, in any order of magnitude slower: all pairs. Same lists.
-void find_neighbours_plainly(Work& work, const Grid& grid, const Reach& reach, std::size_t chunk);
 /// The walls that a chunk's agents may touch: segments that they are in front of, within radius and skin.
 void find_walls(Work& work, const Walls& walls, const Reach& reach, std::size_t chunk);
 
