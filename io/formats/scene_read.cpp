@@ -7,6 +7,7 @@
 #include "io/formats/scene_json.h"
 #include "io/formats/scene_members.h"
 #include "io/formats/scene_rules.h"
+#include "io/formats/value_reader.h"
 #include "io/json_text.h"
 
 namespace inhabit::io {
@@ -16,10 +17,8 @@ namespace {
 using Names = std::unordered_map<std::string_view, Ref>;
 
 /// Reads a document into a scene. The first error ends it: every function returns false after one.
-class SceneReader {
+class SceneReader : public ValueReader {
  public:
-  std::optional<Error> error;
-
   bool read(JsonValue root, Scene& scene) {
     if (!root.is(Json::object))
       return fail(root, std::string("a scene is an object, this is ") + std::string(name_of(root.kind())));
@@ -35,18 +34,7 @@ class SceneReader {
   }
 
  private:
-  bool fail(JsonValue at, std::string message) {
-    if (!error) error = at.error(std::move(message));
-    return false;
-  }
-  bool hold(const Status& status) {
-    if (!status && !error) error = status.error();
-    return status.ok();
-  }
-  bool expect(JsonValue v, Json kind) {
-    if (v.is(kind)) return true;
-    return fail(v, "is " + std::string(name_of(v.kind())) + " where " + std::string(name_of(kind)) + " belongs");
-  }
+  using ValueReader::read;
 
   // Names first, so that a reference may point forward.
   bool collect_names(JsonValue root) {
@@ -135,113 +123,9 @@ class SceneReader {
     }
     return true;
   }
-  template <class Names>
-  static std::string joined(const Names& names) {
-    std::string all;
-    for (const std::string_view name : names) all += (all.empty() ? "" : ", ") + std::string(name);
-    return all;
-  }
-
-  bool number(JsonValue v, double& out, const Spec& spec) {
-    if (!expect(v, Json::number)) return false;
-    const double low = file_bound(spec, spec.low), high = file_bound(spec, spec.high);
-    if (!(v.number() >= low && v.number() <= high)) {
-      const std::string_view unit = file_unit(spec);
-      return fail(v, std::string(v.text().substr(0, 40)) + " is outside [" + number_text(low) + ", " +
-                         number_text(high) + "]" + (unit.empty() ? "" : " " + std::string(unit)));
-    }
-    out = spec.unit == "rad" ? radians(std::round(v.number() * 1e9) / 1e9) : v.number();
-    return true;
-  }
-  template <std::size_t N>
-  bool numbers(JsonValue v, std::array<double, N>& out, const Spec& spec) {
-    if (!expect(v, Json::array)) return false;
-    if (v.size() != N) return fail(v, "has " + std::to_string(v.size()) + " numbers instead of " + std::to_string(N));
-    std::size_t i = 0;
-    for (const JsonValue item : v) {
-      if (!number(item, out[i++], spec)) return false;
-    }
-    return true;
-  }
-  bool choice(JsonValue v, int& out, const Spec& spec) {
-    if (!expect(v, Json::text)) return false;
-    const auto names = split_choices(spec.choices);
-    const auto found = std::ranges::find(names, v.text());
-    if (found == names.end()) {
-      return fail(v, quoted(v.text()) + " is none of: " + joined(names) + did_you_mean(v.text(), names));
-    }
-    out = static_cast<int>(found - names.begin());
-    return true;
-  }
-
-  bool read(JsonValue v, double& out, const Spec& spec) { return number(v, out, spec); }
-  bool read(JsonValue v, bool& out, const Spec&) {
-    if (!expect(v, Json::boolean)) return false;
-    out = v.boolean();
-    return true;
-  }
-  bool read(JsonValue v, int& out, const Spec& spec) {
-    if (!spec.choices.empty()) return choice(v, out, spec);
-    double value = 0;
-    if (!number(v, value, spec)) return false;
-    if (value != std::trunc(value)) return fail(v, std::string(v.text().substr(0, 40)) + " is no whole number");
-    out = static_cast<int>(value);
-    return true;
-  }
-  bool read(JsonValue v, std::uint64_t& out, const Spec&) {
-    if (!expect(v, Json::number)) return false;
-    const std::string_view digits = v.text();
-    std::uint64_t value = 0;
-    for (const char c : digits) {
-      if (c < '0' || c > '9') return fail(v, "is no whole number from 0 to 18446744073709551615");
-      value = value * 10 + static_cast<std::uint64_t>(c - '0');
-    }
-    // The parser keeps numbers beyond 64 bits as decimals with their text; they have 20 digits or more.
-    if (digits.size() > 20 || (digits.size() == 20 && std::to_string(value) != digits))
-      return fail(v, "is no whole number from 0 to 18446744073709551615");
-    out = value;
-    return true;
-  }
-  bool read(JsonValue v, std::string& out, const Spec& spec) {
-    if (!expect(v, Json::text)) return false;
-    if (spec.required && v.text().empty()) return fail(v, "is empty");
-    out = v.text();
-    return true;
-  }
-  template <class E>
-  requires std::is_enum_v<E>
-  bool read(JsonValue v, E& out, const Spec& spec) {
-    int index = 0;
-    if (!choice(v, index, spec)) return false;
-    out = static_cast<E>(index);
-    return true;
-  }
   template <class T>
   bool read(JsonValue v, std::optional<T>& out, const Spec& spec) {
     return read(v, out.emplace(), spec);
-  }
-  bool read(JsonValue v, Vec2& out, const Spec& spec) {
-    std::array<double, 2> a{};
-    if (!numbers(v, a, spec)) return false;
-    out = {a[0], a[1]};
-    return true;
-  }
-  bool read(JsonValue v, Vec3& out, const Spec& spec) {
-    std::array<double, 3> a{};
-    if (!numbers(v, a, spec)) return false;
-    out = {a[0], a[1], a[2]};
-    return true;
-  }
-  bool read(JsonValue v, Ring& out, const Spec& spec) {
-    if (!expect(v, Json::array)) return false;
-    out.reserve(v.size());
-    for (const JsonValue corner : v) {
-      if (!read(corner, out.emplace_back(), spec)) return false;
-    }
-    if (const auto why = why_not_simple(out)) return fail(v, *why);
-    ring_turned_ = signed_area(out) < 0;
-    if (ring_turned_) std::reverse(out.begin() + 1, out.end());
-    return true;
   }
   template <class T>
   requires HasTable<T>
@@ -368,14 +252,6 @@ class SceneReader {
   }
 
   // People.
-  bool read(JsonValue v, Span& out, const Spec& spec) {
-    if (v.is(Json::number)) return number(v, out.low, spec) && number(v, out.high, spec);
-    if (!v.is(Json::array)) return fail(v, "is neither a number nor [low, high]");
-    std::array<double, 2> ends{};
-    if (!numbers(v, ends, spec)) return false;
-    out = {ends[0], ends[1]};
-    return out.low <= out.high || fail(v, "begins with the larger number");
-  }
   bool goal(JsonValue v, std::vector<std::string>& leg) {
     if (!expect(v, Json::text)) return false;
     if (std::ranges::find(goals_, v.text()) == goals_.end())
@@ -429,7 +305,7 @@ class SceneReader {
   Names names_;
   std::vector<std::string_view> goals_;
   std::size_t walls_ = 0;
-  bool ring_turned_ = false, outline_turned_ = false;
+  bool outline_turned_ = false;
 };
 
 }  // namespace

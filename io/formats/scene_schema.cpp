@@ -7,34 +7,39 @@
 namespace inhabit::io {
 namespace {
 
-/// The default of a member as JSON, "" when it has none worth telling.
-template <class T, class M>
-std::string default_of(M pointer, const Spec& spec) {
-  using X = std::remove_cvref_t<decltype(std::declval<T>().*pointer)>;
-  // What a preset decides has no one default.
-  if (std::is_same_v<T, PbdModel>)
-    return spec.choices.starts_with("game|")
-               ? quoted(split_choices(spec.choices)[static_cast<std::size_t>(kUsualPreset)])
-               : "";
-  static const T value{};
+/// The value of a member as JSON, "" when it has none worth telling.
+template <class X>
+std::string value_text(const X& value, const Spec& spec) {
   std::string out;
   if constexpr (std::is_same_v<X, double>) {
-    append_number(out, spec.unit == "rad" ? file_degrees(value.*pointer) : value.*pointer);
+    append_number(out, spec.unit == "rad" ? file_degrees(value) : value);
   } else if constexpr (std::is_same_v<X, bool>) {
-    out = value.*pointer ? "true" : "false";
+    out = value ? "true" : "false";
   } else if constexpr (std::is_same_v<X, int> || std::is_enum_v<X>) {
-    const int index = static_cast<int>(value.*pointer);
+    const int index = static_cast<int>(value);
     spec.choices.empty() ? append_number(out, index)
                          : append_quoted(out, split_choices(spec.choices)[static_cast<std::size_t>(index)]);
   } else if constexpr (std::is_same_v<X, Vec3>) {
-    const Vec3 v = value.*pointer;
-    out = std::string("[") + number_text(v.x) + ", " + number_text(v.y) + ", " + number_text(v.z) + "]";
+    out = std::string("[") + number_text(value.x) + ", " + number_text(value.y) + ", " + number_text(value.z) + "]";
   } else if constexpr (std::is_same_v<X, Span>) {
-    append_number(out, (value.*pointer).low);
+    append_number(out, value.low);
   } else if constexpr (std::is_same_v<X, std::uint64_t>) {
-    out = std::to_string(value.*pointer);
+    out = std::to_string(value);
   }
-  return spec.required ? "" : out;
+  return out;
+}
+
+/// The default of a member as JSON, "" when it has none worth telling.
+template <class T, class M>
+std::string default_of(M pointer, const Spec& spec) {
+  if (spec.required) return "";
+  // What a preset decides has no one default.
+  if constexpr (std::is_same_v<T, PbdModel>) {
+    return spec.choices == PbdModel::kFields.front().choices ? value_text(static_cast<int>(kUsualPreset), spec) : "";
+  } else {
+    static const T kValue{};
+    return value_text(kValue.*pointer, spec);
+  }
 }
 
 class SchemaWriter {
@@ -219,6 +224,14 @@ std::string kind_of(const Spec& spec) {
   return text;
 }
 
+/// The first columns of a member's row: name, meaning, values.
+template <class T, class M>
+std::string row_of(std::string_view name, M, const Spec& spec) {
+  using X = std::remove_cvref_t<decltype(std::declval<T>().*std::declval<M>())>;
+  const std::string mark = spec.required ? "**" : "";
+  return "| " + mark + std::string(name) + mark + " | " + std::string(spec.help) + " | " + kind_of<X>(spec);
+}
+
 }  // namespace
 
 std::string scene_schema() { return pretty_json(SchemaWriter().text()); }
@@ -233,10 +246,7 @@ std::string constraints_page() {
   for_each_type(ConstraintKinds{}, [&]<class T>(std::type_identity<T>) {
     page += "\n## " + std::string(T::kName) + "\n\n| member | meaning | values | default |\n|---|---|---|---|\n";
     for_each_member<T>([&](std::string_view name, auto pointer, const Spec& spec) {
-      using X = std::remove_cvref_t<decltype(std::declval<T>().*pointer)>;
-      const std::string mark = spec.required ? "**" : "";
-      page += "| " + mark + std::string(name) + mark + " | " + std::string(spec.help) + " | " + kind_of<X>(spec) +
-              " | " + default_of<T>(pointer, spec) + " |\n";
+      page += row_of<T>(name, pointer, spec) + " | " + default_of<T>(pointer, spec) + " |\n";
     });
     if constexpr (requires { T::kNeedsOneOf; }) {
       page += "\nAt least one of";
@@ -244,6 +254,29 @@ std::string constraints_page() {
         page += (name == T::kNeedsOneOf.front() ? " " : ", ") + std::string(name);
       page += " must be given.\n";
     }
+  });
+  return page;
+}
+
+std::string crowd_models_page() {
+  std::string page =
+      "# Models of crowds\n\nEvery model of how people walk that a scene's `crowd` may name as its `model`, with all "
+      "its "
+      "parameters. This page\nis made from the tables in `scene/crowd_models.h`; what the models are stands in "
+      "`crowd/models/`, one file each.\nSymbols and equations: [papers.md](papers.md).\n";
+  for_each_type(CrowdModels{}, [&]<class T>(std::type_identity<T>) {
+    constexpr bool kPresets = std::is_same_v<T, PbdModel>;
+    page += "\n## " + std::string(T::kName) + "\n\n| member | meaning | values | ";
+    page += kPresets ? "`game` | `pedestrian` |\n|---|---|---|---|---|\n" : "default |\n|---|---|---|---|\n";
+    for_each_member<T>([&](std::string_view name, auto pointer, const Spec& spec) {
+      page += row_of<T>(name, pointer, spec) + " | ";
+      if constexpr (kPresets) {
+        const T game = T::of_preset(T::Preset::game), pedestrian = T::of_preset(T::Preset::pedestrian);
+        page += value_text(game.*pointer, spec) + " | " + value_text(pedestrian.*pointer, spec) + " |\n";
+      } else {
+        page += default_of<T>(pointer, spec) + " |\n";
+      }
+    });
   });
   return page;
 }

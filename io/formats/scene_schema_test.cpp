@@ -73,6 +73,10 @@ TEST_CASE("the page of constraints in docs is the one that the tables give") {
   check_document("constraints.md", constraints_page());
 }
 
+TEST_CASE("the page of crowd models in docs is the one that the tables give") {
+  check_document("crowd-models.md", crowd_models_page());
+}
+
 TEST_CASE("what the reader accepts the schema accepts and what the schema refuses the reader refuses") {
   const SchemaCheck schema;
   Json full = Json::parse(kFullScene);
