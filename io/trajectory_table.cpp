@@ -1,6 +1,7 @@
 #include "io/trajectory_table.h"
 
 #include <algorithm>
+#include <fstream>
 
 #include "io/file.h"
 #include "io/formats/trajectories/columns.h"
@@ -78,6 +79,11 @@ const TrajectoryFormat* format_of(std::string_view bytes) {
   const auto found = std::ranges::find_if(kFormats, [&](const auto& f) { return f.sniff(bytes.substr(0, kHead)); });
   return found == std::end(kFormats) ? nullptr : found;
 }
+/// The first format with this extension.
+const TrajectoryFormat* format_named(std::string_view extension) {
+  const auto found = std::ranges::find_if(kFormats, [&](const auto& f) { return has_extension(f, extension); });
+  return found == std::end(kFormats) ? nullptr : found;
+}
 
 }  // namespace
 
@@ -91,9 +97,19 @@ const TrajectoryFormat* trajectory_format_to_write(const std::filesystem::path& 
 }
 
 bool are_trajectories(std::string_view bytes) {
-  if (!is_gzip(bytes)) return format_of(bytes) != nullptr;
-  const Result<std::string> unpacked = gunzip(bytes);
-  return unpacked && format_of(*unpacked) != nullptr;
+  return is_gzip(bytes) ? format_of(gunzip_head(bytes, kHead)) != nullptr : format_of(bytes) != nullptr;
+}
+
+bool holds_trajectories(const std::filesystem::path& path) {
+  std::string head(kHead, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  if (are_trajectories(head)) return true;
+  std::string extension = extension_of(path);
+  if (extension == "gz") extension = extension_of(path.stem());
+  // Homes are .xml too.
+  return extension != "xml" && format_named(extension) != nullptr;
 }
 
 Result<scene::Trajectories> read_trajectories(std::string_view bytes, std::string_view name,
@@ -106,14 +122,12 @@ Result<scene::Trajectories> read_trajectories(std::string_view bytes, std::strin
   }
   const TrajectoryFormat* format = format_of(bytes);
   if (format == nullptr) {
-    const std::string extension = extension_of(name);
-    const auto found = std::ranges::find_if(kFormats, [&](const auto& f) { return has_extension(f, extension); });
-    if (found == std::end(kFormats)) {
+    format = format_named(extension_of(name));
+    if (format == nullptr) {
       std::string known;
       for (const TrajectoryFormat& f : kFormats) known += (known.empty() ? "" : ", ") + std::string(f.name);
       return Error{ErrorCode::unsupported, "none of the known formats of trajectories: " + known, ""};
     }
-    format = found;
   }
   Result<RawTrajectories> raw = format->read(bytes, options);
   if (!raw) return raw.error();

@@ -30,9 +30,13 @@ struct TrajectoryFormat {
 std::span<const TrajectoryFormat> trajectory_formats();
 /// The format that writes files with this extension; nullptr when none does.
 const TrajectoryFormat* trajectory_format_to_write(const std::filesystem::path& path);
+/// The error when there is none: it names the extensions that are written.
+Error no_such_trajectory_format();
 
-/// Whether the content, which may be packed by gzip, is that of a format of trajectories.
+/// Whether the start of the content, which may be packed by gzip, is that of a format of trajectories.
 bool are_trajectories(std::string_view bytes);
+/// The same for a file, of which only the start is read; where its content says nothing, its extension does.
+bool holds_trajectories(const std::filesystem::path& path);
 
 /// Reads a file by its content, else by its extension; gzip is unpacked. The file is not written to whatever its
 /// format. Errors name the file and the place in it.

@@ -131,7 +131,8 @@ Status frames_from_times(RawTrajectories& raw, std::optional<double> frame_rate)
   double start = far ? std::floor(earliest) : 0;
   bool even = !raw.irregular && all_near_frames(raw.times, *rate, start);
   if (!even && !raw.irregular && all_near_frames(raw.times, *rate, earliest)) even = true, start = earliest;
-  if (start != 0) raw.remarks.push_back("frame 0 is at " + shortest(start) + " s of the file");
+  if (start != 0)
+    raw.remarks.push_back("frame 0 is at " + fixed(start, start == std::floor(start) ? 0 : 3) + " s of the file");
   if (even) {
     for (std::size_t k = 0; k < raw.fixes.size(); ++k)
       raw.fixes[k].frame = static_cast<std::int32_t>(std::lround((raw.times[k] - start) * *rate));

@@ -53,16 +53,17 @@ TrajectoryWriter::~TrajectoryWriter() {
   if (state_) state_->discard();
 }
 
+Error no_such_trajectory_format() {
+  std::string known;
+  for (const TrajectoryFormat& f : trajectory_formats())
+    if (f.create != nullptr)
+      known += (known.empty() ? "." : ", .") + std::string(f.extensions.substr(0, f.extensions.find(' ')));
+  return {ErrorCode::unsupported, "trajectories are written to files with one of these extensions: " + known, ""};
+}
+
 Result<TrajectoryWriter> TrajectoryWriter::open(const std::filesystem::path& path, const TrajectoryHeader& header) {
   const TrajectoryFormat* format = trajectory_format_to_write(path);
-  if (format == nullptr) {
-    std::string known;
-    for (const TrajectoryFormat& f : trajectory_formats())
-      if (f.create != nullptr)
-        known += (known.empty() ? "." : ", .") + std::string(f.extensions.substr(0, f.extensions.find(' ')));
-    return Error{ErrorCode::unsupported, "trajectories are written to files with one of these extensions: " + known,
-                 ""};
-  }
+  if (format == nullptr) return no_such_trajectory_format();
   if (!(header.frame_rate > 0) || !std::isfinite(header.frame_rate))
     return invalid("", "a frame rate of " + shortest(header.frame_rate) + " cannot be written");
   if (const Status possible = can_write(path); !possible) return possible.error();

@@ -21,6 +21,20 @@ struct Budget {
   static int look(void* budget) { return (static_cast<Budget*>(budget)->left -= kLook) < 0; }
 };
 
+std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t k = 0; k < 4; ++k) value = value << 8 | static_cast<unsigned char>(bytes[at + k]);
+  return value;
+}
+
+/// The header says how many pages there are, unless an old version wrote last (sqlite.org/fileformat2.html, 1.3.7).
+bool cut_off(std::string_view bytes) {
+  if (bytes.size() < 100) return true;
+  const std::uint32_t low = static_cast<unsigned char>(bytes[17]), high = static_cast<unsigned char>(bytes[16]);
+  const std::uint64_t page = high == 0 && low == 1 ? 65536 : high << 8 | low;
+  return big_endian(bytes, 24) == big_endian(bytes, 92) && bytes.size() < page * big_endian(bytes, 28);
+}
+
 Database open_bytes(std::string_view bytes, Budget& budget) {
   sqlite3* opened = nullptr;
   const int state = sqlite3_open_v2(":memory:", &opened, SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX, nullptr);
@@ -85,16 +99,21 @@ Status read_positions(sqlite3* database, RawTrajectories& raw) {
   }
 }
 
-void read_metadata(sqlite3* database, RawTrajectories& raw) {
-  if (!has_table(database, "metadata")) return;
-  const Statement query = prepare(database, "SELECT key, value FROM metadata");
-  for (int k = 0; query && k < 1000 && sqlite3_step(query.get()) == SQLITE_ROW; ++k) {
+Status read_metadata(sqlite3* database, RawTrajectories& raw) {
+  if (!has_table(database, "metadata")) return Done{};
+  const Statement query = prepare(database, "SELECT key, value FROM metadata LIMIT 1000");
+  if (!query) return broken("metadata has not the columns key and value");
+  for (;;) {
+    const int state = sqlite3_step(query.get());
+    if (state == SQLITE_DONE) return Done{};
+    if (state != SQLITE_ROW) return broken(std::string("metadata cannot be read: ") + sqlite3_errmsg(database));
     const std::string_view key = text_of(query.get(), 0), value = text_of(query.get(), 1);
     if (key == "fps") raw.frame_rate = number_of(value);
     if (key == "title") raw.title = value;
   }
 }
 
+/// An area that cannot be read leaves the positions as good as they are.
 void read_geometry(sqlite3* database, RawTrajectories& raw) {
   if (!has_table(database, "geometry")) return;
   const Statement query = prepare(database, "SELECT wkt FROM geometry");
@@ -113,7 +132,7 @@ void read_geometry(sqlite3* database, RawTrajectories& raw) {
 bool is_sqlite(std::string_view bytes) { return bytes.starts_with(kMagic); }
 
 Result<RawTrajectories> read_sqlite(std::string_view bytes) {
-  if (bytes.size() < 100) return broken("the file is cut off");
+  if (cut_off(bytes)) return broken("the file is cut off");
   RawTrajectories raw;
   raw.unit = LengthUnit::metres;
   // A database with a write-ahead log says so in bytes 18 and 19 and is not opened in memory; without its log it is one
@@ -133,7 +152,7 @@ Result<RawTrajectories> read_sqlite(std::string_view bytes) {
     const bool damaged = state != SQLITE_OK && state != SQLITE_ROW && state != SQLITE_DONE;
     return broken(damaged ? "the file is damaged or cut off" : "there is no table trajectory_data");
   }
-  read_metadata(database.get(), raw);
+  if (const Status read = read_metadata(database.get(), raw); !read) return read.error();
   if (const Status read = read_positions(database.get(), raw); !read) return read.error();
   read_geometry(database.get(), raw);
   return raw;
