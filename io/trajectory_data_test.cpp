@@ -63,6 +63,17 @@ TEST_CASE("real recordings have the rows people and speeds that are known of the
   }
 }
 
+TEST_CASE("the page about formats has a row for each of them") {
+  const auto page = read_file(std::filesystem::path(INHABIT_SOURCE_DIR) / "docs/formats.md");
+  REQUIRE(page.ok());
+  for (const TrajectoryFormat& format : trajectory_formats()) {
+    CAPTURE(format.name);
+    CHECK(page->find("\n| " + std::string(format.name)) != std::string::npos);
+    CHECK(page->find("`." + std::string(format.extensions.substr(0, format.extensions.find(' '))) + "`") !=
+          std::string::npos);
+  }
+}
+
 TEST_CASE("real recordings that leave something open are asked about") {
   const auto folder = INHABIT_TEST_DATA("pedestrians");
   if (!folder) return;
