@@ -144,6 +144,7 @@ void read_regions(hid_t file, RawTrajectories& raw) {
     for (const char* wkt : texts)
       if (wkt != nullptr) take_walkable(wkt, raw);
   for (char* wkt : texts) H5free_memory(wkt);
+  if (raw.walkable.size() > 1) raw.walkable = geometry::difference(raw.walkable, {}, 0);
 }
 
 void read_attributes(hid_t file, hid_t dataset, RawTrajectories& raw) {

@@ -8,9 +8,11 @@
 namespace inhabit::io {
 namespace {
 
-/// What JuPedSim's version 2 writes. Statements run one by one.
+/// What JuPedSim's version 2 writes. Without spilling, the file changes at commits alone: it is whole without its
+/// journal.
 constexpr const char* kSetUp =
     "PRAGMA page_size = 4096; PRAGMA journal_mode = DELETE; PRAGMA synchronous = OFF; PRAGMA auto_vacuum = NONE;"
+    "PRAGMA cache_spill = OFF;"
     "PRAGMA encoding = 'UTF-8';"
     "BEGIN;"
     "CREATE TABLE trajectory_data (frame INTEGER NOT NULL, id INTEGER NOT NULL, pos_x REAL NOT NULL,"
