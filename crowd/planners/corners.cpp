@@ -48,6 +48,7 @@ Corners::Corners(const World& world, double body, double clearance, int threads)
   for (Corner& c : corners_) c.radius = clearance;
   build_grid();
   fit_radii(body, clearance);
+  find_blocked(body);
   std::vector<std::vector<Tangent>> found(corners_.size());
   parallel_for(corners_.size(), threads,
                [&](std::size_t k) { found[k] = tangents_from(static_cast<std::uint32_t>(k)); });
@@ -229,47 +230,55 @@ std::vector<Tangent> Corners::tangents_from(std::uint32_t k) const {
   return found;
 }
 
+/// Calls f(item) for walls and corners in the cells that come within `reach` of p, some of them more than once.
+template <class F>
+void Corners::for_each_near(Vec2 p, double reach, F&& f) const {
+  const auto index = [&](double at, std::int32_t count) {
+    return static_cast<std::int32_t>(std::clamp(std::floor(at / cell_), 0.0, count - 1.0));
+  };
+  const Vec2 q = p - low_;
+  const std::int32_t r1 = index(q.y + reach, rows_), c1 = index(q.x + reach, columns_);
+  for (std::int32_t row = index(q.y - reach, rows_); row <= r1; ++row)
+    for (std::int32_t column = index(q.x - reach, columns_); column <= c1; ++column) {
+      const auto place = static_cast<std::size_t>(row * columns_ + column);
+      for (std::uint32_t i = first_[place]; i < first_[place + 1]; ++i) f(items_[i]);
+    }
+}
+
+/// How far it is from a corner to what is opposite, at most `most`: looked for where the arc lies, and a little beside.
+/// What stands along a wall of the corner is not opposite to it.
+double Corners::gap_at(std::uint32_t k, double most) const {
+  constexpr double kBeside = kPi / 4;
+  const Corner& c = corners_[k];
+  double gap = most;
+  const auto consider = [&](Vec2 q) {
+    const double turn = turn_of(2 * k, unit(q - c.at));
+    if (turn > -kBeside - kTouch && turn < c.fan + kBeside + kTouch) gap = std::min(gap, length(q - c.at));
+  };
+  const Vec2 first_ray = rotate(c.normal, direction(kBeside));
+  const Vec2 last_ray = rotate_back(c.normal, direction(c.fan + kBeside));
+  for_each_near(c.at, most, [&](std::uint32_t item) {
+    if (item >= walls_.size() || item == walls_of_[k].first || item == walls_of_[k].second) return;
+    const Wall& w = walls_[item];
+    const Vec2 nearest = nearest_on_segment(w.a, w.b, c.at);
+    if (nearest != c.at) consider(nearest);
+    for (const Vec2 ray : {first_ray, last_ray}) {
+      const double slope = cross(ray, w.b - w.a);
+      if (slope == 0) continue;
+      const double along = cross(w.a - c.at, w.b - w.a) / slope, t = cross(w.a - c.at, ray) / slope;
+      if (along > kTouch && t >= 0 && t <= 1) consider(c.at + along * ray);
+    }
+  });
+  return gap;
+}
+
 /// Radii shrink where a corner is nearer to another wall, or to another corner's circle, than both want to be.
 void Corners::fit_radii(double body, double clearance) {
-  const auto for_each_near = [&](Vec2 p, double reach, auto&& f) {
-    const auto index = [&](double at, std::int32_t count) {
-      return static_cast<std::int32_t>(std::clamp(std::floor(at / cell_), 0.0, count - 1.0));
-    };
-    const Vec2 q = p - low_;
-    for (std::int32_t row = index(q.y - reach, rows_); row <= index(q.y + reach, rows_); ++row)
-      for (std::int32_t column = index(q.x - reach, columns_); column <= index(q.x + reach, columns_); ++column) {
-        const std::size_t place =
-            static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
-        for (std::uint32_t i = first_[place]; i < first_[place + 1]; ++i) f(items_[i]);
-      }
-  };
-  // The gap is looked for where the arc lies, and a little beside: what stands along a wall of the corner is not
-  // opposite to it.
-  constexpr double kBeside = kPi / 4;
   for (std::uint32_t k = 0; k < corners_.size(); ++k) {
-    Corner& c = corners_[k];
-    double gap = clearance / kShare;
-    const auto consider = [&](Vec2 q) {
-      const double turn = turn_of(2 * k, unit(q - c.at));
-      if (turn > -kBeside - kTouch && turn < c.fan + kBeside + kTouch) gap = std::min(gap, length(q - c.at));
-    };
-    const Vec2 first_ray = rotate(c.normal, direction(kBeside));
-    const Vec2 last_ray = rotate_back(c.normal, direction(c.fan + kBeside));
-    for_each_near(c.at, gap, [&](std::uint32_t item) {
-      if (item >= walls_.size() || item == walls_of_[k].first || item == walls_of_[k].second) return;
-      const Wall& w = walls_[item];
-      const Vec2 nearest = nearest_on_segment(w.a, w.b, c.at);
-      if (nearest != c.at) consider(nearest);
-      for (const Vec2 ray : {first_ray, last_ray}) {
-        const double slope = cross(ray, w.b - w.a);
-        if (slope == 0) continue;
-        const double along = cross(w.a - c.at, w.b - w.a) / slope, t = cross(w.a - c.at, ray) / slope;
-        if (along > kTouch && t >= 0 && t <= 1) consider(c.at + along * ray);
-      }
-    });
-    c.radius = gap < clearance / kShare ? std::max(body, kShare * gap) : clearance;
+    const double gap = gap_at(k, clearance / kShare);
+    corners_[k].radius = gap < clearance / kShare ? std::max(body, kShare * gap) : clearance;
   }
-  for (std::uint32_t i = 0; i < corners_.size(); ++i) {
+  for (std::uint32_t i = 0; i < corners_.size(); ++i)
     for_each_near(corners_[i].at, 2 * clearance, [&](std::uint32_t item) {
       if (item < walls_.size() + i + 1) return;
       const auto j = static_cast<std::uint32_t>(item - walls_.size());
@@ -283,8 +292,11 @@ void Corners::fit_radii(double body, double clearance) {
       a.radius = std::max(body, std::min(a.radius, 2 * kShare * d - least));
       b.radius = std::max(body, std::min(b.radius, 2 * kShare * d - least));
     });
-  }
-  for (Corner& c : corners_) {
+}
+
+/// Marks the parts of the circles where no body fits.
+void Corners::find_blocked(double body) {
+  for (Corner& c : corners_)
     for (int part = 0; part < 64; ++part) {
       const Vec2 p = c.at + c.radius * rotate_back(c.normal, direction(c.fan * (part + 0.5) / 64));
       bool tight = false;
@@ -295,7 +307,6 @@ void Corners::fit_radii(double body, double clearance) {
       });
       if (tight) c.blocked |= std::uint64_t{1} << part;
     }
-  }
 }
 
 bool Corners::in_circle(Vec2 p) const {

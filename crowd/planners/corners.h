@@ -89,9 +89,13 @@ class Corners {
 
  private:
   void find_corners(const World& world);
+  double gap_at(std::uint32_t corner, double most) const;
   void fit_radii(double body, double clearance);
+  void find_blocked(double body);
   void build_grid();
   std::vector<Tangent> tangents_from(std::uint32_t corner) const;
+  template <class F>
+  void for_each_near(Vec2 p, double reach, F&& f) const;
   template <class F>
   bool any_cell(Vec2 a, Vec2 b, F&& f) const;
 

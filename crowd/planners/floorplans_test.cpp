@@ -53,7 +53,7 @@ TEST_CASE("on real floor plans fields and shortest paths agree on who gets where
     if (!found) return;
     std::vector<Floor> floors = read_floors(*found);
     REQUIRE(!floors.empty());
-    CAPTURE(plan.file);
+    CAPTURE(std::string(plan.file));
     const Vec2 origin = floors[0].outline_bounds.center(), size = floors[0].outline_bounds.size();
     const World world = test_world(std::move(floors), origin);
     const scene::Goal goal =

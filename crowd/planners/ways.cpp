@@ -98,35 +98,20 @@ void Ways::find_pieces(const std::vector<const Place*>& places, bool areas, doub
   }
 }
 
-/// Dijkstra's search over the tangents, from the goal backwards. What a tangent costs is its own length, the arc at its
-/// end, and what that arc's exit costs.
-void Ways::search() {
-  const auto tangents = corners_->tangents();
-  struct Last {  // from a circle to the goal
-    std::uint32_t node, landing;
-    double turn;
-  };
+/// The ways from circles straight to the goal. The shortest way to a line ends at right angles; to an end of a piece it
+/// may come from wherever.
+std::vector<Ways::Last> Ways::find_lasts() const {
   std::vector<Last> lasts;
-  std::vector<double> cost(tangents.size(), kFar);
-  struct Entry {
-    double cost;
-    std::uint32_t index;  // of a tangent, or from tangents.size() on of a last
-    bool operator>(const Entry& b) const { return cost != b.cost ? cost > b.cost : index > b.index; }
-  };
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
   for (std::uint32_t node = 0; node < corners_->nodes(); ++node) {
-    const double s = sense_of(node), fan = corners_->all()[corner_of(node)].fan;
-    const auto add = [&](Vec2 from, Vec2 to, double turn, std::uint32_t index) {
-      if (turn < -kBesideFan || turn > fan + kBesideFan || !corners_->arc_clear(node, turn, turn)) return;
-      if (!corners_->clear(from, to, node, kNone)) return;
-      open.push({length(to - from), static_cast<std::uint32_t>(tangents.size() + lasts.size())});
-      lasts.push_back({node, index, turn});
-    };
     const Corner& c = corners_->all()[corner_of(node)];
+    const double s = sense_of(node);
+    const auto add = [&](Vec2 from, Vec2 to, double turn, std::uint32_t landing) {
+      if (turn < -kBesideFan || turn > c.fan + kBesideFan || !corners_->arc_clear(node, turn, turn)) return;
+      if (corners_->clear(from, to, node, kNone)) lasts.push_back({node, landing, turn, length(to - from)});
+    };
     for (std::uint32_t k = 0; k < pieces_.size(); ++k) {
       const Piece& piece = pieces_[k];
       const auto base = static_cast<std::uint32_t>(corners_->nodes()) + 3 * k;
-      // The shortest way to a line ends at right angles; to an end of the piece from wherever.
       const Vec2 along = unit(piece.b - piece.a);
       for (const Vec2 direction : {perp(along), -perp(along)}) {
         const Vec2 from = c.at - s * c.radius * perp(direction);
@@ -140,26 +125,46 @@ void Ways::search() {
       }
     }
   }
+  return lasts;
+}
+
+/// Dijkstra's search over the tangents, from the goal backwards. What a tangent costs is its own length, the arc at its
+/// end, and what that arc's exit costs.
+void Ways::search() {
+  const auto tangents = corners_->tangents();
+  const std::vector<Last> lasts = find_lasts();
+  std::vector<double> cost(tangents.size(), kFar);
+  struct Entry {
+    double cost;
+    std::uint32_t index;  // of a tangent, or from tangents.size() on of a last
+    bool operator>(const Entry& b) const { return cost != b.cost ? cost > b.cost : index > b.index; }
+  };
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  for (std::size_t k = 0; k < lasts.size(); ++k)
+    open.push({lasts[k].length, static_cast<std::uint32_t>(tangents.size() + k)});
   std::vector<std::vector<Exit>> exits(corners_->nodes());
   while (!open.empty()) {
     const Entry e = open.top();
     open.pop();
     const bool is_last = e.index >= tangents.size();
     if (!is_last && e.cost > cost[e.index]) continue;
-    const std::uint32_t node = is_last ? lasts[e.index - tangents.size()].node : tangents[e.index].from;
-    const double turn = is_last ? lasts[e.index - tangents.size()].turn : tangents[e.index].from_turn;
-    const double radius = corners_->all()[corner_of(node)].radius;
-    exits[node].push_back({turn, e.cost + radius * turn,
-                           is_last ? lasts[e.index - tangents.size()].landing : tangents[e.index].to, turn});
-    for (const std::uint32_t k : corners_->into(node)) {
+    const Last way = is_last ? lasts[e.index - tangents.size()]
+                             : Last{tangents[e.index].from, tangents[e.index].to, tangents[e.index].from_turn, 0};
+    const double radius = corners_->all()[corner_of(way.node)].radius;
+    exits[way.node].push_back({way.turn, e.cost + radius * way.turn, way.to, way.turn});
+    for (const std::uint32_t k : corners_->into(way.node)) {
       const Tangent& t = tangents[k];
-      if (t.to_turn > turn + kSameTurn) continue;
-      const double total = t.length + radius * std::max(0.0, turn - t.to_turn) + e.cost;
-      if (!(total < cost[k]) || !corners_->arc_clear(node, t.to_turn, turn)) continue;
+      if (t.to_turn > way.turn + kSameTurn) continue;
+      const double total = t.length + radius * std::max(0.0, way.turn - t.to_turn) + e.cost;
+      if (!(total < cost[k]) || !corners_->arc_clear(way.node, t.to_turn, way.turn)) continue;
       cost[k] = total;
       open.push({total, k});
     }
   }
+  sort_exits(exits);
+}
+
+void Ways::sort_exits(std::vector<std::vector<Exit>>& exits) {
   first_exit_.push_back(0);
   for (std::uint32_t node = 0; node < corners_->nodes(); ++node) {
     auto& own = exits[node];

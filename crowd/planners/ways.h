@@ -59,7 +59,14 @@ class Ways {
   };
 
   void find_pieces(const std::vector<const Place*>& places, bool areas, double body);
+  /// From a circle to the goal.
+  struct Last {
+    std::uint32_t node = 0, to = 0;
+    double turn = 0, length = 0;
+  };
+  std::vector<Last> find_lasts() const;
   void search();
+  void sort_exits(std::vector<std::vector<Exit>>& exits);
   const Exit* exit_after(std::uint32_t node, double turn) const;
   Landing landing(Vec2 p, std::uint32_t index) const;
   Choice choose(Vec2 p, std::uint32_t before, Corners::Leaving leaving) const;
