@@ -62,11 +62,14 @@ struct Planner::Plans {
     std::uint32_t target = Ways::kNone, leg = 0;
   };
 
+  using Goals = std::vector<std::uint16_t>;
+
   std::vector<Place> places;
   std::vector<Leg> legs;
   std::vector<std::uint32_t> first_leg;  ///< per route, and where the last one ends
   std::vector<std::uint32_t> field_of;   ///< per leg; kNone for other ways
   std::vector<Floor> floors;             ///< relative to the origin
+  std::size_t reflex_corners = 0;        ///< that stick into the floors
   Fields fields;
   std::unique_ptr<Corners> corners;
   std::vector<Ways> ways;
@@ -84,6 +87,8 @@ struct Planner::Plans {
     const std::uint32_t k = leg_index(agents, i);
     return k != kNoLeg ? &legs[k] : nullptr;
   }
+  void add_leg(const scene::Scene& scene, const Goals& goals, std::vector<Goals>& by_path,
+               std::vector<Goals>& by_field);
   Region::Way to_offset(const Agents& agents, std::size_t i, const Leg& leg) const;
   Region::Way to_nearest(const Leg& leg, float x, float y) const;
   bool inside(const Leg& leg, float x, float y) const {
@@ -129,10 +134,36 @@ std::size_t reflex_corners(const std::vector<Floor>& floors) {
 
 }  // namespace
 
+/// Decides how the ways of a leg are found.
+void Planner::Plans::add_leg(const scene::Scene& scene, const Goals& goals, std::vector<Goals>& by_path,
+                             std::vector<Goals>& by_field) {
+  Leg leg;
+  const Place::Kind kind = goals.empty() ? Place::Kind::nowhere : places[goals[0]].kind;
+  if (kind == Place::Kind::direction || kind == Place::Kind::offset) {
+    leg.how = kind == Place::Kind::direction ? How::direction : How::offset, leg.goals = {goals[0]};
+  } else {
+    for (const std::uint16_t g : goals)
+      if (places[g].kind == Place::Kind::area) leg.goals.push_back(g);
+    const auto method = scene.crowd.planner;
+    const bool automatic = method == scene::Planner::automatic;
+    if (leg.goals.empty()) {
+      leg.how = How::nowhere;
+    } else if (method == scene::Planner::straight || floors.empty() || (automatic && reflex_corners == 0)) {
+      leg.how = How::straight;
+    } else if (method == scene::Planner::field || reflex_corners > kMostCorners ||
+               (automatic && expected(scene, leg.goals) >= kShared)) {
+      leg.how = How::field, leg.plan = index_of(by_field, leg.goals);
+    } else {
+      leg.how = How::paths, leg.plan = index_of(by_path, leg.goals);
+    }
+  }
+  field_of.push_back(leg.how == How::field ? leg.plan : Fields::kNone);
+  legs.push_back(std::move(leg));
+}
+
 Result<Planner> Planner::make(const scene::Scene& scene, const World& world, const Routes& routes, double widest,
                               int threads) {
   auto plans = std::make_unique<Plans>();
-  using How = Plans::How;
   for (const scene::Goal& goal : scene.crowd.goals) plans->places.emplace_back(goal, world.origin);
   for (const Floor& floor : world.floors) {
     Floor own = floor;
@@ -141,35 +172,11 @@ Result<Planner> Planner::make(const scene::Scene& scene, const World& world, con
       for (Vec2& p : hole) p -= world.origin;
     plans->floors.push_back(make_floor(std::move(own.outline), std::move(own.holes)));
   }
-  const std::size_t corners = reflex_corners(plans->floors);
-
+  plans->reflex_corners = reflex_corners(plans->floors);
   std::vector<Goals> by_path, by_field;
   for (const auto& route : routes.legs) {
     plans->first_leg.push_back(static_cast<std::uint32_t>(plans->legs.size()));
-    for (const Goals& goals : route) {
-      Plans::Leg leg;
-      const Place::Kind kind = goals.empty() ? Place::Kind::nowhere : plans->places[goals[0]].kind;
-      if (kind == Place::Kind::direction || kind == Place::Kind::offset) {
-        leg.how = kind == Place::Kind::direction ? How::direction : How::offset, leg.goals = {goals[0]};
-      } else {
-        for (const std::uint16_t g : goals)
-          if (plans->places[g].kind == Place::Kind::area) leg.goals.push_back(g);
-        const auto method = scene.crowd.planner;
-        const bool easy = method == scene::Planner::straight || (method == scene::Planner::automatic && corners == 0);
-        if (leg.goals.empty()) {
-          leg.how = How::nowhere;
-        } else if (easy || plans->floors.empty()) {
-          leg.how = How::straight;
-        } else if (method == scene::Planner::field || corners > kMostCorners ||
-                   (method == scene::Planner::automatic && expected(scene, leg.goals) >= kShared)) {
-          leg.how = How::field, leg.plan = index_of(by_field, leg.goals);
-        } else {
-          leg.how = How::paths, leg.plan = index_of(by_path, leg.goals);
-        }
-      }
-      plans->field_of.push_back(leg.how == How::field ? leg.plan : Fields::kNone);
-      plans->legs.push_back(std::move(leg));
-    }
+    for (const Goals& goals : route) plans->add_leg(scene, goals, by_path, by_field);
   }
   plans->first_leg.push_back(static_cast<std::uint32_t>(plans->legs.size()));
 

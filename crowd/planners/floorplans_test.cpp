@@ -81,8 +81,8 @@ TEST_CASE("on real floor plans fields and shortest paths agree on who gets where
       CHECK(std::isfinite(exact) == std::isfinite(along));
       if (!std::isfinite(exact) || !std::isfinite(along)) continue;
       ++reachable;
-      CHECK(along >
-            exact - 0.4);  // corners are passed at a hand's breadth by paths, at less by fields where that is short
+      // Paths pass corners at a hand's breadth, fields nearer where that is shorter: a decimetre or so at each.
+      CHECK(along > 0.98 * exact - 0.4);
       longer += along > 1.03 * exact + 0.3 ? 1 : 0;
       if (reachable % 6 != 0) continue;
       Agents other = agents;
