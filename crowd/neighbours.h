@@ -33,7 +33,8 @@ void for_each_block(std::size_t count, int threads, F&& f) {
 template <class F>
 void for_each_within(const Grid& grid, const Agents& agents, std::size_t i, float reach, F&& f) {
   const float x = agents.x[i], y = agents.y[i], reach2 = reach * reach;
-  grid.for_each_run(x, y, reach, [&](std::uint32_t begin, std::uint32_t end) {
+  // A little farther than reach: what float rounds must not decide in which cells we look.
+  grid.for_each_run(x, y, 1.0001f * reach, [&](std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t j = begin; j < end; ++j) {
       const float dx = x - agents.x[j], dy = y - agents.y[j], d2 = dx * dx + dy * dy;
       if (d2 <= reach2 && j != i) f(j, dx, dy, d2);
