@@ -17,13 +17,15 @@ inline void sort_by_cell(Agents& agents, Grid& grid, float cell, int threads) {
 
 /// Agents that one call of a parallel loop looks at: enough to hide the call, few enough to share the work evenly.
 constexpr std::size_t kAgentBlock = 128;
+/// So few agents are faster on one thread.
+constexpr std::size_t kFewAgents = 256;
 inline std::size_t block_count(std::size_t agents) { return (agents + kAgentBlock - 1) / kAgentBlock; }
 
 /// Calls f(block, begin, end) for consecutive blocks of 0 … count - 1, on several threads. The blocks do not depend on
 /// the number of threads.
 template <class F>
 void for_each_block(std::size_t count, int threads, F&& f) {
-  core::parallel_for(block_count(count), threads, [&](std::size_t block) {
+  core::parallel_for(block_count(count), count <= kFewAgents ? 1 : threads, [&](std::size_t block) {
     f(block, block * kAgentBlock, std::min(count, (block + 1) * kAgentBlock));
   });
 }

@@ -54,15 +54,12 @@ Vec2 moved_among_walls(const Walls& walls, Vec2 from, Vec2 to, double radius) {
   return better ? to : from;
 }
 
-void move(Agents& agents, std::span<const Vec2> next_v, const Walls& walls, double dt, std::size_t begin,
-          std::size_t end) {
-  for (std::size_t i = begin; i < end; ++i) {
-    const Vec2 from = position(agents, i), v = limited(next_v[i], agents.maximum_speed[i]), free = from + dt * v;
-    const Vec2 to = moved_among_walls(walls, from, free, agents.radius[i]);
-    const Vec2 had = to == free ? v : limited((1 / dt) * (to - from), agents.maximum_speed[i]);
-    agents.x[i] = static_cast<float>(to.x), agents.y[i] = static_cast<float>(to.y);
-    agents.vx[i] = static_cast<float>(had.x), agents.vy[i] = static_cast<float>(had.y);
-  }
+void NextMoment::set(const Agents& now, std::size_t i, Vec2 v, const Walls& walls, double dt) {
+  const Vec2 from = position(now, i), most = limited(v, now.maximum_speed[i]), free = from + dt * most;
+  const Vec2 to = moved_among_walls(walls, from, free, now.radius[i]);
+  const Vec2 had = to == free ? most : limited((1 / dt) * (to - from), now.maximum_speed[i]);
+  x_[i] = static_cast<float>(to.x), y_[i] = static_cast<float>(to.y);
+  vx_[i] = static_cast<float>(had.x), vy_[i] = static_cast<float>(had.y);
 }
 
 }  // namespace inhabit::crowd

@@ -29,9 +29,18 @@ inline Vec2 limited(Vec2 v, double longest) {
 /// (a gap narrower than itself) it stays where it is. Requires: the way is shorter than the reach of the walls.
 Vec2 moved_among_walls(const Walls& walls, Vec2 from, Vec2 to, double radius);
 
-/// Ends the step of agents begin … end - 1: velocities become next_v, limited to the maximum speed, and positions
-/// follow them (x = x + dt v) among the walls; the velocity is then the one that the agent really had.
-void move(Agents& agents, std::span<const Vec2> next_v, const Walls& walls, double dt, std::size_t begin,
-          std::size_t end);
+/// The positions and velocities of the next moment: while it is computed, everybody reads the present one.
+class NextMoment {
+ public:
+  void resize(std::size_t count) { x_.resize(count), y_.resize(count), vx_.resize(count), vy_.resize(count); }
+  /// Agent i goes on with velocity v, limited to its maximum speed: x = x + dt v, among the walls. The velocity that is
+  /// kept is the one that it then really had.
+  void set(const Agents& now, std::size_t i, Vec2 v, const Walls& walls, double dt);
+  /// Makes the next moment the present one. Requires: set has been called for everybody.
+  void begin(Agents& agents) { agents.x.swap(x_), agents.y.swap(y_), agents.vx.swap(vx_), agents.vy.swap(vy_); }
+
+ private:
+  std::vector<float> x_, y_, vx_, vy_;
+};
 
 }  // namespace inhabit::crowd

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "crowd/neighbours.h"
-#include "crowd/steering.h"
 
 namespace inhabit::crowd {
 namespace {
@@ -73,13 +72,12 @@ Vec2 PowerLaw::next_velocity(const Agents& agents, std::size_t i, const Surround
 
 void PowerLaw::step(Agents& agents, const Surroundings& around) {
   sort_by_cell(agents, grid_, static_cast<float>(parameters_.range / kCells), around.threads);
-  next_v_.resize(agents.size());
+  next_.resize(agents.size());
   for_each_block(agents.size(), around.threads, [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) next_v_[i] = next_velocity(agents, i, around);
+    for (std::size_t i = begin; i < end; ++i)
+      next_.set(agents, i, next_velocity(agents, i, around), around.walls, around.dt);
   });
-  for_each_block(agents.size(), around.threads, [&](std::size_t, std::size_t begin, std::size_t end) {
-    move(agents, next_v_, around.walls, around.dt, begin, end);
-  });
+  next_.begin(agents);
 }
 
 }  // namespace inhabit::crowd
