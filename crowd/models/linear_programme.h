@@ -4,7 +4,7 @@
 
 #include "geometry/vec2.h"
 
-/// Linear programmes in the plane, as in the last two sections of the paper on ORCA.
+/// Linear programmes in the plane, the n-body part of ORCA [vandenBerg11 sec. 5].
 namespace inhabit::crowd {
 using namespace geometry;
 
@@ -20,7 +20,7 @@ inline double violation(const HalfPlane& h, Vec2 v) { return h.c - dot(h.n, v); 
 /// Solves the programmes of one agent after the other; keeps its memory between them.
 class LinearProgramme {
  public:
-  /// The v nearest to `wish` among those in every half plane and with |v| <= longest         [vandenBerg11 eq. 8, 9]
+  /// The v nearest to `wish` among those in every half plane and with |v| <= longest         [vandenBerg11 sec. 5.1]
   /// When there is none: the v that the worst of the half planes from `hard` on is violated least, by the
   /// three-dimensional programme of section 5.3, among those in the first `hard` ones; when those alone contradict
   /// each other, they are treated like the others. Half planes are taken in the order given (the paper shuffles them):
