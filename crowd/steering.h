@@ -19,8 +19,9 @@ inline Vec2 wish(const Agents& agents, std::size_t i) {
 }
 /// v, shortened to `longest`; null when it is no finite vector.
 inline Vec2 limited(Vec2 v, double longest) {
-  const double l = length(v);
-  if (l <= longest) return v;
+  const double ll = dot(v, v);
+  if (ll <= longest * longest) return v;
+  const double l = std::sqrt(ll);
   return std::isfinite(l) ? (longest / l) * v : Vec2{};
 }
 

@@ -49,6 +49,19 @@ void offer_cut_off(const VelocityObstacle& o, Nearest& nearest) {
 
 }  // namespace
 
+BorderPoint nearest_border(Vec2 x, double r, double tau, Vec2 v) {
+  const Vec2 centre = (1 / tau) * x, w = v - centre;
+  const double wx = dot(w, x), ww = dot(w, w);
+  // Seen from the centre of the cut-off circle v lies between the points where the legs touch.
+  if (wx <= 0 && wx * wx >= r * r * ww) {
+    const Vec2 n = ww > 0 ? (1 / std::sqrt(ww)) * w : -unit(x);
+    return {centre + (r / tau) * n, n};
+  }
+  const double side = cross(x, v) > 0 ? 1 : -1;
+  const Vec2 along = leg_along(x, r, side).direction;
+  return {dot(v, along) * along, side * perp(along)};
+}
+
 std::optional<BorderPoint> nearest_border(const VelocityObstacle& o, Vec2 v) {
   Nearest nearest{v};
   offer_cut_off(o, nearest);

@@ -59,6 +59,19 @@ TEST_CASE("the nearest point of a velocity obstacle's border is on the border an
   }
 }
 
+TEST_CASE("for a disc the short way finds the same point of the border") {
+  for (std::uint64_t n = 0; n < 10000; ++n) {
+    INFO("case ", n);
+    Rng rng(32, n);
+    const VelocityObstacle o = random_obstacle(rng, true);
+    const Vec2 v{rng.uniform(-4, 4), rng.uniform(-4, 4)};
+    const auto expected = nearest_border(o, v);
+    const BorderPoint at = nearest_border(o.a, o.r, o.tau, v);
+    CHECK(length(at.point - expected->point) < 1e-9);
+    CHECK(length(at.normal - expected->normal) < 1e-9);
+  }
+}
+
 TEST_CASE("the legs touch the disc at the angle that the radii ask for") {
   // sin(half the opening) = r / distance: 30 degrees.
   const VelocityObstacle o{{4, 0}, {4, 0}, 2, 1};
