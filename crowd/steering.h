@@ -35,8 +35,8 @@ class NextMoment {
  public:
   void resize(std::size_t count) { x_.resize(count), y_.resize(count), vx_.resize(count), vy_.resize(count); }
   /// Agent i goes on with velocity v, limited to its maximum speed: x = x + dt v, among the walls. The velocity that is
-  /// kept is the one that it then really had.
-  void set(const Agents& now, std::size_t i, Vec2 v, const Walls& walls, double dt);
+  /// kept is the one that it then really had. `core`: the share of the radius that walls do not let in.
+  void set(const Agents& now, std::size_t i, Vec2 v, const Walls& walls, double dt, double core = 1);
   /// Makes the next moment the present one. Requires: set has been called for everybody.
   void begin(Agents& agents) { agents.x.swap(x_), agents.y.swap(y_), agents.vx.swap(vx_), agents.vy.swap(vy_); }
 

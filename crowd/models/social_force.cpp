@@ -12,6 +12,8 @@ namespace {
 constexpr double kFar = 17;
 /// Overlaps, in B, beyond which the push grows no more.
 constexpr double kDeep = 50;
+/// What of a radius walls do not let in: the rest may be squeezed, as equation 3 wants.
+constexpr double kCore = 0.9;
 
 /// The sums of a sub-step: the elastic force, and friction as the symmetric matrix sum grip t t^T and the vector
 /// sum grip (u.t) t, u the velocity of what is touched.
@@ -100,7 +102,7 @@ void SocialForce::step(Agents& agents, const Surroundings& around) {
       for (std::size_t i = begin; i < end; ++i) {
         const std::uint32_t first = lists.first[i - begin], last = lists.first[i - begin + 1];
         const Vec2 v = next_velocity(agents, i, {lists.items.data() + first, last - first}, around.walls, h);
-        next_.set(agents, i, v, around.walls, h);
+        next_.set(agents, i, v, around.walls, h, kCore);
       }
     });
     next_.begin(agents);

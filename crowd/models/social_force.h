@@ -32,7 +32,7 @@ SocialForceContact social_force_contact(const scene::SocialForceModel& model, do
 /// both tend to the equations as h -> 0. (2) Speeds are cut at the agent's maximum after every sub-step: whatever the
 /// forces, nobody moves farther than that. (3) exp((r - d) / B) is cut at exp(50), deeper than any body. (4) Gaps wider
 /// than 17 B do not count: their push is less than A / 2^24. (5) crowd/steering.h: the wish is turned by 1e-5 rad,
-/// nobody enters a wall. (6) crowd/wall_contacts.h says what a wall W is.
+/// nobody enters a wall by more than a tenth of the radius. (6) crowd/wall_contacts.h says what a wall W is.
 class SocialForce {
  public:
   using Parameters = scene::SocialForceModel;
