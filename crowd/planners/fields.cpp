@@ -156,8 +156,9 @@ void Fields::look_up(std::span<const std::uint32_t> field, std::span<const float
     float gy = w00 * high(d00) + w10 * high(d10) + w01 * high(d01) + w11 * high(d11);
     float square = gx * gx + gy * gy;
     if (square < kCancelled * kUnit * kUnit) {
+      // Cells of the goal itself have no direction: at its border the others lead in.
       const std::uint32_t own = d[(a >= 0.5f ? 1 : 0) + (b >= 0.5f ? columns : 0)];
-      gx = low(own), gy = high(own), square = gx * gx + gy * gy;
+      if (own != 0) gx = low(own), gy = high(own), square = gx * gx + gy * gy;
     }
     const float scale = square > 1 ? speed[i] / std::sqrt(square) : 0.0f;
     wish_x[i] = scale * gx, wish_y[i] = scale * gy;

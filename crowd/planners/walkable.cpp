@@ -72,9 +72,12 @@ double widest_spot(const Walls& walls, const Lattice& lattice, std::size_t cell)
     const bool on_floor = walls.on_floor(x, y);
     if (on_floor) best = std::max(best, nearest);
     if (nearest == 0) return best;
-    at += (on_floor ? step : -step) / nearest * (at - wall);
-    at.x = std::clamp(at.x, middle.x - half, middle.x + half);
-    at.y = std::clamp(at.y, middle.y - half, middle.y + half);
+    Vec2 move = (on_floor ? step : -step) / nearest * (at - wall);
+    // Along the cell's border at full pace: the spot of a slanted passage that only clips a corner lies there.
+    if (std::abs(at.y + move.y - middle.y) > half) move.x = std::copysign(step, move.x);
+    if (std::abs(at.x + move.x - middle.x) > half) move.y = std::copysign(step, move.y);
+    at.x = std::clamp(at.x + move.x, middle.x - half, middle.x + half);
+    at.y = std::clamp(at.y + move.y, middle.y - half, middle.y + half);
   }
   return best;
 }
