@@ -230,7 +230,7 @@ Region::Way Planner::Plans::along_path(const Agents& agents, std::size_t i, cons
   const std::uint64_t turn = steps + agents.id[i];
   Ways::Step step;
   if (mine.target != Ways::kNone && turn % kChoose != 0) {
-    step = ways_there.step(p, mine.target);
+    step = ways_there.step(p, mine.target, false);
     const bool moved_on = step.target != mine.target;
     if (step.target != Ways::kNone && (moved_on || turn % kLook == 0) &&
         !ways_there.in_sight(p, step.target, step.towards))
@@ -238,7 +238,7 @@ Region::Way Planner::Plans::along_path(const Agents& agents, std::size_t i, cons
   }
   if (step.target == Ways::kNone) {
     const Ways::Choice choice = ways_there.choose(p, mine.target);
-    if (choice.target != Ways::kNone) step = ways_there.step(p, choice.target);
+    if (choice.target != Ways::kNone) step = ways_there.step(p, choice.target, true);
     if (step.target == Ways::kNone) {
       mine.target = Ways::kNone;
       if (corners->on_floor(p)) return {};

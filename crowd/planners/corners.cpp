@@ -146,7 +146,7 @@ bool Corners::any_cell(Vec2 a, Vec2 b, F&& f) const {
   return false;
 }
 
-bool Corners::clear(Vec2 a, Vec2 b, std::uint32_t from, std::uint32_t to, bool circles) const {
+bool Corners::clear(Vec2 a, Vec2 b, std::uint32_t from, std::uint32_t to, Leaving leaving) const {
   const Vec2 d = b - a;
   const double dd = dot(d, d);
   return !any_cell(a, b, [&](std::size_t place) {
@@ -156,14 +156,15 @@ bool Corners::clear(Vec2 a, Vec2 b, std::uint32_t from, std::uint32_t to, bool c
         if (crosses(a, b, walls_[k].a, walls_[k].b)) return true;
         continue;
       }
-      if (!circles) continue;
+      if (leaving == Leaving::no_circles) continue;
       const auto corner = static_cast<std::uint32_t>(k - walls_.size());
       if ((from != kNone && corner == corner_of(from)) || (to != kNone && corner == corner_of(to))) continue;
       const Vec2 c = corners_[corner].at - a;
       const double t = dd > 0 ? std::clamp(dot(c, d) / dd, 0.0, 1.0) : 0;
       const double r = corners_[corner].radius - kTouch;
       const Vec2 gap = c - t * d;
-      if (t > 0 && dot(gap, gap) < r * r) return true;
+      if (!(dot(gap, gap) < r * r)) continue;
+      if (leaving == Leaving::outwards ? t > 0 : dot(c, c) >= r * r) return true;
     }
     return false;
   });
@@ -247,7 +248,7 @@ void Corners::fit_radii(double body, double clearance) {
   constexpr double kBeside = kPi / 4;
   for (std::uint32_t k = 0; k < corners_.size(); ++k) {
     Corner& c = corners_[k];
-    double gap = 2 * clearance;
+    double gap = clearance / kShare;
     const auto consider = [&](Vec2 q) {
       const double turn = turn_of(2 * k, unit(q - c.at));
       if (turn > -kBeside - kTouch && turn < c.fan + kBeside + kTouch) gap = std::min(gap, length(q - c.at));
@@ -266,7 +267,7 @@ void Corners::fit_radii(double body, double clearance) {
         if (along > kTouch && t >= 0 && t <= 1) consider(c.at + along * ray);
       }
     });
-    c.radius = std::clamp(kShare * gap, body, clearance);
+    c.radius = gap < clearance / kShare ? std::max(body, kShare * gap) : clearance;
   }
   for (std::uint32_t i = 0; i < corners_.size(); ++i) {
     for_each_near(corners_[i].at, 2 * clearance, [&](std::uint32_t item) {
@@ -277,7 +278,7 @@ void Corners::fit_radii(double body, double clearance) {
       const double d = length(b.at - a.at);
       if (a.radius + b.radius <= 2 * kShare * d) return;
       const bool joined = walls_of_[i].first == walls_of_[j].second || walls_of_[i].second == walls_of_[j].first;
-      if (joined || !on_floor(0.5 * (a.at + b.at)) || !clear(a.at, b.at, kNone, kNone, false)) return;
+      if (joined || !on_floor(0.5 * (a.at + b.at)) || !clear(a.at, b.at, kNone, kNone, Leaving::no_circles)) return;
       const double least = std::min({a.radius, b.radius, kShare * d});
       a.radius = std::max(body, std::min(a.radius, 2 * kShare * d - least));
       b.radius = std::max(body, std::min(b.radius, 2 * kShare * d - least));
@@ -295,6 +296,17 @@ void Corners::fit_radii(double body, double clearance) {
       if (tight) c.blocked |= std::uint64_t{1} << part;
     }
   }
+}
+
+bool Corners::in_circle(Vec2 p) const {
+  return any_cell(p, p, [&](std::size_t place) {
+    for (std::uint32_t i = first_[place]; i < first_[place + 1]; ++i) {
+      if (items_[i] < walls_.size()) continue;
+      const Corner& c = corners_[items_[i] - walls_.size()];
+      if (length(p - c.at) < c.radius - kTouch) return true;
+    }
+    return false;
+  });
 }
 
 bool Corners::on_floor(Vec2 p) const {

@@ -71,10 +71,13 @@ class Corners {
   bool arc_clear(std::uint32_t node, double from, double to) const;
 
   /// True when the straight way from a to b crosses no wall and enters no corner's circle except those of the nodes
-  /// `from` and `to`. A circle that a is in counts when the way leads deeper. `circles` false: walls only.
-  bool clear(Vec2 a, Vec2 b, std::uint32_t from, std::uint32_t to, bool circles = true) const;
+  /// `from` and `to`. A circle that a is in may be left outwards, or anywhere; `no_circles`: walls alone count.
+  enum class Leaving { outwards, anywhere, no_circles };
+  bool clear(Vec2 a, Vec2 b, std::uint32_t from, std::uint32_t to, Leaving leaving = Leaving::outwards) const;
   static constexpr std::uint32_t kNone = 0xffffffffu;
 
+  /// True inside a corner's circle.
+  bool in_circle(Vec2 p) const;
   /// True on a floor.
   bool on_floor(Vec2 p) const;
   /// The point of the walls nearest to p. Requires: walls.

@@ -11,8 +11,9 @@ namespace {
 constexpr double kFar = std::numeric_limits<double>::infinity();
 /// Tangents that meet in one line leave a circle where they touch it: radians.
 constexpr double kSameTurn = 1e-6;
-/// A circle counts as passed this much before its end: what somebody walks in a step or two.
-constexpr double kPassed = 0.02;
+/// A circle counts as passed this much before its end, and its end is not missed by who steps over it by that much:
+/// radians.
+constexpr double kPassed = 0.02, kOvershoot = 0.4;
 
 /// Removes from the intervals what lies between `low` and `high`.
 void cut(std::vector<std::pair<double, double>>& intervals, double low, double high) {
@@ -193,12 +194,15 @@ Ways::Landing Ways::landing(Vec2 p, std::uint32_t index) const {
 }
 
 Ways::Choice Ways::choose(Vec2 p, std::uint32_t before) const {
-  // Somebody squeezed in where circles overlap sees nothing that is clear of all of them.
-  const Choice best = choose(p, before, true);
-  return best.target != kNone ? best : choose(p, before, false);
+  const Choice best = choose(p, before, Corners::Leaving::outwards);
+  if (best.target != kNone && !corners_->in_circle(p)) return best;
+  // Somebody pushed into a circle, or into several where they overlap, may find no way that leads straight out, or one
+  // that leads far round.
+  const Choice inwards = choose(p, before, Corners::Leaving::anywhere);
+  return inwards.length < 0.8 * best.length ? inwards : best;
 }
 
-Ways::Choice Ways::choose(Vec2 p, std::uint32_t before, bool circles) const {
+Ways::Choice Ways::choose(Vec2 p, std::uint32_t before, Corners::Leaving leaving) const {
   Choice best;
   const auto consider = [&](std::uint32_t target, double factor) {
     double length = 0;
@@ -217,7 +221,7 @@ Ways::Choice Ways::choose(Vec2 p, std::uint32_t before, bool circles) const {
       length = touch.length + left(target, touch.turn), to = touch.at;
     }
     if (!(factor * length < best.length)) return;
-    if (!corners_->clear(p, to, kNone, target < corners_->nodes() ? target : kNone, circles)) return;
+    if (!corners_->clear(p, to, kNone, target < corners_->nodes() ? target : kNone, leaving)) return;
     best = {target, factor * length};
   };
   if (before != kNone) consider(before, 0.99);
@@ -228,7 +232,7 @@ Ways::Choice Ways::choose(Vec2 p, std::uint32_t before, bool circles) const {
   return best;
 }
 
-Ways::Step Ways::step(Vec2 p, std::uint32_t target) const {
+Ways::Step Ways::step(Vec2 p, std::uint32_t target, bool chosen_now) const {
   for (int passed = 0; passed < 4; ++passed) {
     if (target >= corners_->nodes()) {
       if (target >= corners_->nodes() + 3 * pieces_.size()) break;
@@ -236,11 +240,11 @@ Ways::Step Ways::step(Vec2 p, std::uint32_t target) const {
       return {at.length > 0 ? unit(at.at - p) : Vec2{}, at.at, target};
     }
     const Touch touch = corners_->arrive(target, p);
-    const Exit* exit = exit_after(target, touch.turn - kPassed);
+    const Exit* exit = exit_after(target, touch.turn - (chosen_now ? kSameTurn : kOvershoot));
     if (exit == nullptr) break;
     const double radius = corners_->all()[corner_of(target)].radius;
     const bool there = length(p - corners_->all()[corner_of(target)].at) < radius + std::max(0.1, 0.5 * radius);
-    if (!there || exit->leaves > touch.turn + kPassed) return {touch.direction, touch.at, target};
+    if (chosen_now || !there || exit->leaves > touch.turn + kPassed) return {touch.direction, touch.at, target};
     target = exit->to;
   }
   return {};

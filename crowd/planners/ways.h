@@ -32,7 +32,9 @@ class Ways {
     std::uint32_t target =
         kNone;  ///< what is headed for now: the next one after a corner is passed; kNone: choose anew
   };
-  Step step(Vec2 p, std::uint32_t target) const;
+  /// A target that was chosen from p itself is headed for; one from before may have been passed since, and the next may
+  /// then be out of sight.
+  Step step(Vec2 p, std::uint32_t target, bool chosen_now) const;
   /// True while the way to a target from p is in sight.
   bool in_sight(Vec2 p, std::uint32_t target, Vec2 towards) const;
 
@@ -60,7 +62,7 @@ class Ways {
   void search();
   const Exit* exit_after(std::uint32_t node, double turn) const;
   Landing landing(Vec2 p, std::uint32_t index) const;
-  Choice choose(Vec2 p, std::uint32_t before, bool circles) const;
+  Choice choose(Vec2 p, std::uint32_t before, Corners::Leaving leaving) const;
 
   const Corners* corners_;
   std::vector<Piece> pieces_;
