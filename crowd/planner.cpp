@@ -14,8 +14,9 @@ namespace {
 
 /// Agents are aimed in blocks of so many.
 constexpr std::size_t kBlock = 1024;
-/// On the last bit to a point people walk no faster than the distance in so many seconds.
-constexpr float kSlowing = 0.5f;
+/// On the last bit to a point people walk no faster than the distance in so many seconds: twice the models' relaxation
+/// time, so that they overshoot by 4 % at most.
+constexpr float kSlowing = 1;
 /// Walkers of `paths` look every so many steps whether their corner is in sight, and choose anew every so many.
 constexpr std::uint64_t kLook = 8, kChoose = 48;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();

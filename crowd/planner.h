@@ -40,8 +40,8 @@ class Planner {
   ~Planner();
 
   /// Sets wish_x and wish_y of every agent: preferred speed along the way to its goal, slower on the last metre to an
-  /// offset; zero while it waits, when it has no goal, in its goal, and where no way leads on. Independent of the
-  /// number of threads. Not const: who walks by `paths` remembers the corner that is headed for.
+  /// offset; zero while it waits, when it has no goal, well inside its goal, and where no way leads on. Independent of
+  /// the number of threads. Not const: who walks by `paths` remembers the corner that is headed for.
   void aim(Agents& agents, int threads);
   /// True when the agent's middle is in (one of) the goals of its leg; never for directions.
   bool arrived(const Agents& agents, std::size_t i) const;

@@ -76,6 +76,25 @@ std::vector<std::pair<std::uint32_t, Sight>> starts(const Walkable& w, const std
   return found;
 }
 
+/// Where to go on an aim: to the area when that is elsewhere; from the border a little farther in, so that nobody stops
+/// on the line; nowhere in its middle.
+Vec2 within(Vec2 at, double cell, const std::vector<const Place*>& places) {
+  const auto x = static_cast<float>(at.x), y = static_cast<float>(at.y);
+  for (const Place* place : places) {
+    if (!place->area.contains(x, y)) continue;
+    const Vec2 middle = centroid(place->area.ring) - at;
+    const bool rim = nearest_on_ring(place->area.ring, at).distance < 1.5 * cell;
+    return rim && length(middle) > cell ? unit(middle) : Vec2{};
+  }
+  Vec2 best;
+  for (const Place* place : places) {
+    const Region::Way way = place->way_from(x, y);
+    const Vec2 v{way.x, way.y};
+    if (v != Vec2{} && (best == Vec2{} || length(v) < length(best))) best = v;
+  }
+  return best == Vec2{} ? best : unit(best);
+}
+
 }  // namespace
 
 Fields::Fields(const World& world, const std::vector<std::vector<const Place*>>& targets, double body, int threads) {
@@ -101,14 +120,7 @@ void Fields::solve(std::size_t field, const std::vector<const Place*>& places) {
   for (const auto& [cell, sight] : first) {
     down[cell] = sight.distance > 0 ? unit(sight.way) : Vec2{};
     if (sight.distance > 0) continue;
-    // On the aim, but not yet there.
-    const Vec2 at = lattice.center(cell);
-    double least = std::numeric_limits<double>::infinity();
-    for (const Place* place : places) {
-      const Region::Way way = place->way_from(static_cast<float>(at.x), static_cast<float>(at.y));
-      const Vec2 v{way.x, way.y};
-      if (length(v) < least) least = length(v), down[cell] = least > 0 ? unit(v) : Vec2{};
-    }
+    down[cell] = within(lattice.center(cell), lattice.cell, places);
   }
   for (std::size_t k = 0; k < lattice.size(); ++k) {
     const std::uint32_t exit = walkable_.exit[k];
@@ -160,7 +172,7 @@ void Fields::look_up(std::span<const std::uint32_t> field, std::span<const float
       const std::uint32_t own = d[(a >= 0.5f ? 1 : 0) + (b >= 0.5f ? columns : 0)];
       if (own != 0) gx = low(own), gy = high(own), square = gx * gx + gy * gy;
     }
-    const float scale = square > 1 ? speed[i] / std::sqrt(square) : 0.0f;
+    const float scale = square > 0 ? speed[i] / std::sqrt(square) : 0.0f;
     wish_x[i] = scale * gx, wish_y[i] = scale * gy;
   }
 }
