@@ -7,21 +7,15 @@
 namespace inhabit::crowd {
 namespace {
 
-constexpr float kUnit = 32767;  ///< a direction's 1 in 16 bits
+using fields_kernel::kUnit;
 /// Bounds on memory: cells of all fields together, and of one lattice.
 constexpr double kAllCells = 12e6, kCells = 3e6;
-/// Opposite directions of neighbouring cells cancel; below this square the nearest cell alone decides.
-constexpr float kCancelled = 0.05f;
-
 std::uint32_t pack(Vec2 d) {
   const auto x = static_cast<std::int16_t>(std::lround(d.x * static_cast<double>(kUnit)));
   const auto y = static_cast<std::int16_t>(std::lround(d.y * static_cast<double>(kUnit)));
   return static_cast<std::uint32_t>(static_cast<std::uint16_t>(x)) |
          static_cast<std::uint32_t>(static_cast<std::uint16_t>(y)) << 16;
 }
-float low(std::uint32_t d) { return static_cast<float>(static_cast<std::int16_t>(d & 0xffff)); }
-float high(std::uint32_t d) { return static_cast<float>(static_cast<std::int32_t>(d) >> 16); }
-
 /// What the aims of a field look like from a cell: the nearest point in sight.
 struct Sight {
   double distance = std::numeric_limits<double>::infinity();
@@ -146,35 +140,23 @@ Region::Way Fields::way(std::size_t field, float x, float y) const {
   return way;
 }
 
+fields_kernel::Lookup Fields::lookup() const {
+  const Lattice& lattice = walkable_.lattice;
+  fields_kernel::Lookup l;
+  l.direction = direction_.data();
+  l.origin_x = static_cast<float>(lattice.origin.x), l.origin_y = static_cast<float>(lattice.origin.y);
+  l.inverse_cell = static_cast<float>(1 / lattice.cell);
+  l.last_column = static_cast<float>(lattice.columns) - 1.001f, l.last_row = static_cast<float>(lattice.rows) - 1.001f;
+  l.columns = lattice.columns, l.cells = static_cast<std::int32_t>(lattice.size());
+  return l;
+}
+
 void Fields::look_up(std::span<const std::uint32_t> field, std::span<const float> x, std::span<const float> y,
                      std::span<const float> speed, std::span<float> wish_x, std::span<float> wish_y) const {
-  const Lattice& lattice = walkable_.lattice;
-  const auto origin_x = static_cast<float>(lattice.origin.x), origin_y = static_cast<float>(lattice.origin.y);
-  const auto inverse = static_cast<float>(1 / lattice.cell);
-  const auto last_column = static_cast<float>(lattice.columns) - 1.001f;
-  const auto last_row = static_cast<float>(lattice.rows) - 1.001f;
-  const auto columns = static_cast<std::size_t>(lattice.columns), cells = lattice.size();
-  for (std::size_t i = 0; i < field.size(); ++i) {
-    if (field[i] == kNone) continue;
-    const float u = std::clamp((x[i] - origin_x) * inverse - 0.5f, 0.0f, last_column);
-    const float v = std::clamp((y[i] - origin_y) * inverse - 0.5f, 0.0f, last_row);
-    const auto column = static_cast<std::int32_t>(u), row = static_cast<std::int32_t>(v);
-    const float a = u - static_cast<float>(column), b = v - static_cast<float>(row);
-    const std::uint32_t* const d = direction_.data() + field[i] * cells + static_cast<std::size_t>(row) * columns +
-                                   static_cast<std::size_t>(column);
-    const std::uint32_t d00 = d[0], d10 = d[1], d01 = d[columns], d11 = d[columns + 1];
-    const float w00 = (1 - a) * (1 - b), w10 = a * (1 - b), w01 = (1 - a) * b, w11 = a * b;
-    float gx = w00 * low(d00) + w10 * low(d10) + w01 * low(d01) + w11 * low(d11);
-    float gy = w00 * high(d00) + w10 * high(d10) + w01 * high(d01) + w11 * high(d11);
-    float square = gx * gx + gy * gy;
-    if (square < kCancelled * kUnit * kUnit) {
-      // Cells of the goal itself have no direction: at its border the others lead in.
-      const std::uint32_t own = d[(a >= 0.5f ? 1 : 0) + (b >= 0.5f ? columns : 0)];
-      if (own != 0) gx = low(own), gy = high(own), square = gx * gx + gy * gy;
-    }
-    const float scale = square > 0 ? speed[i] / std::sqrt(square) : 0.0f;
-    wish_x[i] = scale * gx, wish_y[i] = scale * gy;
-  }
+  fields_kernel::Lookup l = lookup();
+  l.field = field.data(), l.x = x.data(), l.y = y.data(), l.speed = speed.data();
+  l.wish_x = wish_x.data(), l.wish_y = wish_y.data();
+  fields_kernel::look_up(l, 0, field.size());
 }
 
 double Fields::distance(std::size_t field, float x, float y) const {

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "crowd/planners/fields_kernel.h"
 #include "crowd/planners/place.h"
 #include "crowd/planners/walkable.h"
 
@@ -29,6 +30,8 @@ class Fields {
   /// Other agents are left alone. The arrays are parallel.
   void look_up(std::span<const std::uint32_t> field, std::span<const float> x, std::span<const float> y,
                std::span<const float> speed, std::span<float> wish_x, std::span<float> wish_y) const;
+  /// The lattice and the directions, without agents.
+  fields_kernel::Lookup lookup() const;
   /// The unit vector of the way from one point.
   Region::Way way(std::size_t field, float x, float y) const;
   /// Metres on foot along the field to its goal; infinite when no way leads there. Cost: a step for every half cell.

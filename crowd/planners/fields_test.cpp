@@ -159,7 +159,7 @@ TEST_CASE("a goal along a wall where no middle of a body gets is headed for all 
   CHECK(fields.way(0, 3.7f, 0.5f).x > 0.9f);
 }
 
-TEST_CASE("looking up many at once is looking up each") {
+TEST_CASE("looking up many at once is looking up each to the last bit") {
   const World world = hall(8);
   const Place a(area_goal(box_ring(18.5, 9, 19.7, 11)), {}), b(area_goal(box_ring(0.3, 0.3, 1, 1)), {});
   const Fields fields(world, {{&a}, {&b}, {&a, &b}}, kBody, 2);
@@ -174,6 +174,13 @@ TEST_CASE("looking up many at once is looking up each") {
   }
   std::vector<float> wish_x(x.size(), 7), wish_y(x.size(), 7);
   fields.look_up(field, x, y, speed, wish_x, wish_y);
+  std::vector<float> scalar_x(x.size(), 7), scalar_y(x.size(), 7);
+  fields_kernel::Lookup l = fields.lookup();
+  l.field = field.data(), l.x = x.data(), l.y = y.data(), l.speed = speed.data();
+  l.wish_x = scalar_x.data(), l.wish_y = scalar_y.data();
+  fields_kernel::look_up_scalar(l, 0, x.size());
+  CHECK(wish_x == scalar_x);
+  CHECK(wish_y == scalar_y);
   for (std::size_t k = 0; k < x.size(); ++k) {
     if (field[k] == Fields::kNone) {
       CHECK(wish_x[k] == 7);
