@@ -65,6 +65,7 @@ struct Planner::Plans {
   std::vector<Place> places;
   std::vector<Leg> legs;
   std::vector<std::uint32_t> first_leg;  ///< per route, and where the last one ends
+  std::vector<std::uint32_t> field_of;   ///< per leg; kNone for other ways
   std::vector<Floor> floors;             ///< relative to the origin
   Fields fields;
   std::unique_ptr<Corners> corners;
@@ -72,11 +73,16 @@ struct Planner::Plans {
   std::vector<Memory> memory;
   std::uint64_t seed = 0, steps = 0;
 
-  const Leg* leg_of(const Agents& agents, std::size_t i) const {
+  static constexpr std::uint32_t kNoLeg = 0xffffffffu;
+  std::uint32_t leg_index(const Agents& agents, std::size_t i) const {
     const std::size_t route = agents.route[i];
-    if (route + 1 >= first_leg.size()) return nullptr;
+    if (route + 1 >= first_leg.size()) return kNoLeg;
     const std::uint32_t k = first_leg[route] + agents.leg[i];
-    return k < first_leg[route + 1] ? &legs[k] : nullptr;
+    return k < first_leg[route + 1] ? k : kNoLeg;
+  }
+  const Leg* leg_of(const Agents& agents, std::size_t i) const {
+    const std::uint32_t k = leg_index(agents, i);
+    return k != kNoLeg ? &legs[k] : nullptr;
   }
   Region::Way to_offset(const Agents& agents, std::size_t i, const Leg& leg) const;
   Region::Way to_nearest(const Leg& leg, float x, float y) const;
@@ -161,6 +167,7 @@ Result<Planner> Planner::make(const scene::Scene& scene, const World& world, con
           leg.how = How::paths, leg.plan = index_of(by_path, leg.goals);
         }
       }
+      plans->field_of.push_back(leg.how == How::field ? leg.plan : Fields::kNone);
       plans->legs.push_back(std::move(leg));
     }
   }
@@ -274,16 +281,15 @@ void Planner::Plans::aim(Agents& agents, std::size_t begin, std::size_t end) {
   std::array<std::uint32_t, kBlock> field;
   bool any_field = false;
   for (std::size_t i = begin; i < end; ++i) {
-    field[i - begin] = Fields::kNone;
-    const Leg* leg = agents.wait[i] > 0 ? nullptr : leg_of(agents, i);
-    if (leg == nullptr || leg->how == How::nowhere) {
-      agents.wish_x[i] = agents.wish_y[i] = 0;
-    } else if (leg->how == How::field) {
-      field[i - begin] = leg->plan, any_field = true;
-    } else {
-      const Region::Way way = wish(agents, i, *leg);
-      agents.wish_x[i] = way.x, agents.wish_y[i] = way.y;
+    const std::uint32_t leg = agents.wait[i] > 0 ? kNoLeg : leg_index(agents, i);
+    const std::uint32_t mine = leg == kNoLeg ? Fields::kNone : field_of[leg];
+    field[i - begin] = mine;
+    if (mine != Fields::kNone) {
+      any_field = true;
+      continue;
     }
+    const Region::Way way = leg == kNoLeg || legs[leg].how == How::nowhere ? Region::Way{} : wish(agents, i, legs[leg]);
+    agents.wish_x[i] = way.x, agents.wish_y[i] = way.y;
   }
   if (!any_field) return;
   const auto part = [&](auto& array) { return std::span(array).subspan(begin, end - begin); };

@@ -169,6 +169,12 @@ void Ways::search() {
       if (after.cost >= own[k - 1].cost || !corners_->arc_clear(node, own[k - 1].turn, after.leaves)) continue;
       own[k - 1].cost = after.cost, own[k - 1].to = after.to, own[k - 1].leaves = after.leaves;
     }
+    // From anywhere outside the circle, a tangent is longer than the distance to the middle less a radius, and the arc
+    // behind it ends at an exit.
+    double least = kFar;
+    for (const Exit& e : own) least = std::min(least, e.cost);
+    const Corner& c = corners_->all()[corner_of(node)];
+    least_.push_back(least - c.radius * (1 + c.fan + kBesideFan));
     exits_.insert(exits_.end(), own.begin(), own.end());
     first_exit_.push_back(static_cast<std::uint32_t>(exits_.size()));
   }
@@ -211,12 +217,6 @@ Ways::Choice Ways::choose(Vec2 p, std::uint32_t before, Corners::Leaving leaving
       const Landing at = landing(p, target);
       length = at.length, to = at.at;
     } else {
-      const Corner& c = corners_->all()[corner_of(target)];
-      const std::uint32_t first = first_exit_[target];
-      if (first == first_exit_[target + 1]) return;
-      // No exit costs less than the first of them, seen from turn 0, where arcs are clear.
-      const double bound = geometry::length(c.at - p) - c.radius + exits_[first].cost - c.radius * (c.fan + kBesideFan);
-      if (c.blocked == 0 && factor * bound >= best.length) return;
       const Touch touch = corners_->arrive(target, p);
       length = touch.length + left(target, touch.turn), to = touch.at;
     }
@@ -227,7 +227,24 @@ Ways::Choice Ways::choose(Vec2 p, std::uint32_t before, Corners::Leaving leaving
   if (before != kNone) consider(before, 0.99);
   const auto targets = static_cast<std::uint32_t>(corners_->nodes() + 3 * pieces_.size());
   for (std::uint32_t k = static_cast<std::uint32_t>(corners_->nodes()); k < targets; ++k) consider(k, 1);
-  for (std::uint32_t k = 0; k < corners_->nodes(); ++k) consider(k, 1);
+  // Nodes in order of a bound on the way over them, as long as one may be better: few need to be looked at.
+  struct Bound {
+    double least;
+    std::uint32_t node;
+    bool operator>(const Bound& b) const { return least != b.least ? least > b.least : node > b.node; }
+  };
+  thread_local std::vector<Bound> bounds;
+  bounds.clear();
+  for (std::uint32_t node = 0; node < corners_->nodes(); ++node) {
+    const double least = geometry::length(corners_->all()[corner_of(node)].at - p) + least_[node];
+    if (least < best.length) bounds.push_back({least, node});
+  }
+  std::ranges::make_heap(bounds, std::greater<>());
+  while (!bounds.empty() && bounds.front().least < best.length) {
+    consider(bounds.front().node, 1);
+    std::ranges::pop_heap(bounds, std::greater<>());
+    bounds.pop_back();
+  }
   if (best.target != kNone && best.target == before) best.length /= 0.99;
   return best;
 }
@@ -251,7 +268,7 @@ Ways::Step Ways::step(Vec2 p, std::uint32_t target, bool chosen_now) const {
 }
 
 bool Ways::in_sight(Vec2 p, std::uint32_t target, Vec2 towards) const {
-  return corners_->clear(p, towards, kNone, target < corners_->nodes() ? target : kNone);
+  return corners_->clear(p, towards, kNone, target < corners_->nodes() ? target : kNone, Corners::Leaving::anywhere);
 }
 
 }  // namespace inhabit::crowd

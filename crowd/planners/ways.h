@@ -66,6 +66,7 @@ class Ways {
 
   const Corners* corners_;
   std::vector<Piece> pieces_;
+  std::vector<double> least_;  ///< per node: added to the distance from its corner, no way over it is shorter
   std::vector<std::uint32_t> first_exit_;
   std::vector<Exit> exits_;  ///< of each node, by turn
 };
