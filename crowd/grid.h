@@ -21,6 +21,8 @@ class Grid {
   std::int32_t rows() const { return rows_; }
   std::int32_t column(float x) const { return clamp((x - min_x_) * inverse_cell_, columns_); }
   std::int32_t row(float y) const { return clamp((y - min_y_) * inverse_cell_, rows_); }
+  /// Where a row of cells begins, metres.
+  float low_y(std::int32_t row) const { return min_y_ + static_cast<float>(row) * cell_; }
   std::uint32_t first(std::int32_t row, std::int32_t column) const {
     return first_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
                   static_cast<std::size_t>(column)];
