@@ -20,6 +20,11 @@ def run(*arguments, code=0):
     return result
 
 
+def write(path, text):
+    path.write_text(text)
+    return path
+
+
 def fails(*arguments):
     """The one line of an error; nothing on standard output."""
     result = run(*arguments, code=2)
@@ -182,6 +187,40 @@ def test_convert(folder):
     (folder / "hall.wkt").write_text("POLYGON ((0 0, 5 0, 5 4, 0 4, 0 0))")
     run("convert", folder / "hall.wkt", folder / "hall.json")
     assert len(json.loads((folder / "hall.json").read_text())["space"]["outline"]) == 4
+
+
+def test_trajectories(folder):
+    ring = folder / "ring.txt"
+    ring.write_text("# framerate: 25 fps\n# id frame x/m y/m z/m\n" +
+                    "".join(f"{p} {f} {0.05 * f} {p} 0\n" for p in (1, 2) for f in range(50)))
+    for name in ("ring.csv", "ring.h5", "ring.sqlite", "again.txt"):
+        result = run("convert", ring, folder / name)
+        assert result.stdout == result.stderr == "", result.stderr
+        run("convert", folder / name, folder / ("back-" + name))
+        assert (folder / name).read_bytes() == (folder / ("back-" + name)).read_bytes()
+        ring = folder / name
+    assert (folder / "again.txt").read_text().endswith("\n2 49 2.45 2 0\n")
+    old = folder / "old.txt"
+    old.write_text("".join(f"1 {f} {8 * f} 100 176\n" for f in range(20)))
+    assert "--unit cm|m and --fps N say it; with cm and 16 fps the median speed would be 1.3 m/s" in fails(
+        "convert", old, folder / "new.txt")
+    assert not (folder / "new.txt").exists()
+    run("convert", old, folder / "new.txt", "--unit", "cm", "--fps", 16)
+    assert "\n1 1 0.08 1 0\n" in (folder / "new.txt").read_text()
+    cut = folder / "cut.h5"
+    cut.write_bytes((folder / "ring.h5").read_bytes()[:5000])
+    before = (folder / "new.txt").read_bytes()
+    assert f"{cut}: HDF5: the file is damaged or cut off" in fails("convert", cut, folder / "new.txt")
+    assert (folder / "new.txt").read_bytes() == before
+    fails("convert", old, folder / "new.json", "--unit", "cm", "--fps", 16)
+    fails("convert", old, folder / "new.txt", "--unit", "inch", "--fps", 16)
+    fails("convert", "living-room", folder / "room.json", "--fps", 16)
+    fails("convert", ring, folder / "new.txt", "--room", "Kitchen")
+    assert "gap" in run("convert", write(folder / "gap.csv", "id,t,x,y\n1,0,0,0\n1,0.5,0.6,0\n1,1,1.2,0\n1,2,2.4,0\n"),
+                        folder / "new.txt").stderr
+    help_text = run("convert", "--help").stdout
+    assert "--homography" in help_text and ".sqlite" in help_text and "Vadere" in help_text
+    assert not list(folder.glob("*.part-*"))
 
 
 def test_render(folder):

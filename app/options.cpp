@@ -19,6 +19,15 @@ void add_scene(CLI::App& verb, SceneArgument& scene) {
       ->capture_default_str();
 }
 
+void add_trajectory_options(CLI::App& verb, session::TrajectoryOpenOptions& options) {
+  verb.add_option("--unit", options.unit, "Trajectories: unit of the positions in the file, cm or m")
+      ->type_name("UNIT")
+      ->check(CLI::IsMember({"cm", "m"}));
+  verb.add_option("--fps", options.frame_rate, "Trajectories: frames per second")->check(CLI::Range(1e-3, 1e4));
+  verb.add_option("--homography", options.homography, "Trajectories in pixels: 3x3 matrix to metres")
+      ->type_name("FILE");
+}
+
 std::optional<session::Document> open(const SceneArgument& scene, bool quiet) {
   core::Result<session::Document> document = session::open_document(scene.name, scene.options);
   if (document && !quiet)

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "session/document.h"
+#include "session/trajectory_document.h"
 
 /// Options that several verbs share, so that they are called and explained alike.
 namespace inhabit::app {
@@ -16,6 +17,8 @@ struct SceneArgument {
 
 /// SCENE and --room.
 void add_scene(CLI::App& verb, SceneArgument& scene);
+/// --unit, --fps and --homography, for files of trajectories that leave them open.
+void add_trajectory_options(CLI::App& verb, session::TrajectoryOpenOptions& options);
 /// Opens the scene and keeps the rooms asked for. Complains and returns nothing when that fails; warnings go to
 /// standard error unless `quiet`.
 std::optional<session::Document> open(const SceneArgument& scene, bool quiet);

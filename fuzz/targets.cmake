@@ -5,4 +5,7 @@ set(INHABIT_FUZZ_TARGETS
   geojson
   procthor
   sweethome3d
+  trajectory_text
+  trajectory_hdf5
+  trajectory_sqlite
 )

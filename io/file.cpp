@@ -110,6 +110,20 @@ Result<std::string> gunzip(std::string_view bytes, std::size_t limit) {
   }
 }
 
+std::string gunzip_head(std::string_view bytes, std::size_t limit) {
+  z_stream stream{};
+  if (inflateInit2(&stream, 16 + MAX_WBITS) != Z_OK) return {};
+  const std::unique_ptr<z_stream, int (*)(z_stream*)> guard(&stream, &inflateEnd);
+  std::string out(limit, '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream.avail_in = static_cast<uInt>(std::min<std::size_t>(bytes.size(), kLargestFile));
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(std::min<std::size_t>(limit, kLargestFile));
+  inflate(&stream, Z_SYNC_FLUSH);
+  out.resize(stream.total_out);
+  return out;
+}
+
 std::string line_and_column(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, std::min(offset, text.size()));
   const auto line = std::ranges::count(before, '\n') + 1;

@@ -23,6 +23,8 @@ Status can_write(const std::filesystem::path& path);
 
 /// What a gzip file (RFC 1952, one or more members) holds. Errors: damaged, cut off, larger than `limit` when unpacked.
 Result<std::string> gunzip(std::string_view bytes, std::size_t limit = kLargestFile);
+/// What the start of a gzip file holds, at most `limit` bytes of it; as much as can be unpacked.
+std::string gunzip_head(std::string_view bytes, std::size_t limit);
 inline bool is_gzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
 
 /// `line 3, column 7` of the byte at `offset`.

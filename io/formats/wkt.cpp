@@ -160,4 +160,21 @@ Result<std::vector<Scene>> read_wkt(std::string_view text) {
   return scenes;
 }
 
+Result<std::vector<Area>> read_wkt_areas(std::string_view text) {
+  WktReader reader(text);
+  if (!reader.read()) return *reader.error;
+  std::vector<Area> areas;
+  for (Area& area : reader.areas) {
+    area = tidied(std::move(area));
+    if (is_clean(area)) {
+      areas.push_back(std::move(area));
+      continue;
+    }
+    const std::vector<Ring> holes = std::exchange(area.holes, {});
+    for (Area& part : difference({area}, holes, 0)) areas.push_back(std::move(part));
+  }
+  if (areas.empty()) return invalid("", "no area in it");
+  return areas;
+}
+
 }  // namespace inhabit::io

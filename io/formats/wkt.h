@@ -2,6 +2,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/overlay.h"
 #include "scene/scene.h"
 
 namespace inhabit::io {
@@ -11,5 +12,9 @@ namespace inhabit::io {
 /// file; holes are obstacles. Points and lines are no areas: they are left out and named in the extra `x-dropped`.
 /// Plans in a national grid are moved to the origin (extra `x-origin`).
 core::Result<std::vector<scene::Scene>> read_wkt(std::string_view text);
+
+/// The same text as areas, left where they are: repaired where they cross themselves, counter-clockwise. Errors: not
+/// one.
+core::Result<std::vector<geometry::Area>> read_wkt_areas(std::string_view text);
 
 }  // namespace inhabit::io

@@ -1,0 +1,9 @@
+#include "fuzz/check_trajectories.h"
+#include "io/formats/trajectories/sqlite.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  using namespace inhabit;
+  const std::string_view bytes = fuzz::bytes_of(data, size);
+  if (io::is_sqlite(bytes)) fuzz::check_trajectories(io::read_trajectories(bytes, "a.sqlite"));
+  return 0;
+}
