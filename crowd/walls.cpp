@@ -34,7 +34,7 @@ double orient(double ax, double ay, double bx, double by, double px, double py) 
 
 }  // namespace
 
-Walls::Walls(const std::vector<Floor>& floors, Vec2 origin, double reach) {
+Walls::Walls(const std::vector<Floor>& floors, Vec2 origin, double reach) : reach_(static_cast<float>(reach)) {
   Bounds box;
   const auto add_ring = [&](const Ring& ring, bool outline) {
     for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -64,7 +64,7 @@ Walls::Walls(const std::vector<Floor>& floors, Vec2 origin, double reach) {
   // Segments are near the cells that their bounds, grown by reach, cover and whose square they come close to.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> near;
   const double grown = reach + 1e-3 * cell;  // floats put a point on a cell's edge into either
-  inside_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0);
+  inside_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), kSolid);
   for (std::uint32_t k = 0; k < segments_.size(); ++k) {
     const WallSegment& s = segments_[k];
     const auto index = [&](double at, std::int32_t count) {
@@ -79,7 +79,7 @@ Walls::Walls(const std::vector<Floor>& floors, Vec2 origin, double reach) {
         const double low_x = min_x_ + c * cell, low_y = min_y_ + r * cell;
         const auto place = static_cast<std::uint32_t>(r * columns_ + c);
         if (near_cell(s, low_x, low_y, cell, grown)) near.emplace_back(place, k);
-        if (near_cell(s, low_x, low_y, cell, 1e-3 * cell)) inside_[place] = 2;
+        if (near_cell(s, low_x, low_y, cell, 1e-3 * cell)) inside_[place] = kBorder;
       }
   }
   first_.assign(inside_.size() + 1, 0), items_.resize(near.size());
@@ -90,10 +90,11 @@ Walls::Walls(const std::vector<Floor>& floors, Vec2 origin, double reach) {
 
   for (std::int32_t r = 0; r < rows_; ++r)
     for (std::int32_t c = 0; c < columns_; ++c) {
-      std::uint8_t& state = inside_[static_cast<std::size_t>(r * columns_ + c)];
-      if (state == 2) continue;
+      const auto place = static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(c);
+      if (inside_[place] == kBorder) continue;
       const Vec2 middle{min_x_ + (c + 0.5) * cell, min_y_ + (r + 0.5) * cell};
-      state = std::ranges::any_of(floors_, [&](const Floor& floor) { return contains(floor, middle); }) ? 1 : 0;
+      if (std::ranges::any_of(floors_, [&](const Floor& floor) { return contains(floor, middle); }))
+        inside_[place] = first_[place] == first_[place + 1] ? kOpen : kFloor;
     }
 }
 
@@ -114,8 +115,19 @@ bool Walls::on_floor(float x, float y) const {
     return false;
   const std::uint8_t state =
       inside_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
-  if (state != 2) return state == 1;
+  if (state != kBorder) return state != kSolid;
   return std::ranges::any_of(floors_, [&](const Floor& floor) { return contains(floor, Vec2{x, y}); });
+}
+
+bool Walls::leaves(float ax, float ay, float bx, float by) const {
+  for (const std::uint32_t k : near(bx, by)) {
+    const WallSegment& s = segments_[k];
+    // The floor is on the left. Half-open in each test, so that a way through a corner meets one of its two sides.
+    if (!(orient(s.ax, s.ay, s.bx, s.by, bx, by) < 0) || orient(s.ax, s.ay, s.bx, s.by, ax, ay) < 0) continue;
+    const double p = orient(ax, ay, bx, by, s.ax, s.ay), q = orient(ax, ay, bx, by, s.bx, s.by);
+    if ((p > 0) != (q > 0)) return true;
+  }
+  return false;
 }
 
 bool Walls::sees(float ax, float ay, float bx, float by) const {
