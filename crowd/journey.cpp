@@ -1,7 +1,7 @@
 #include "crowd/journey.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "core/text.h"
@@ -60,7 +60,11 @@ Result<RouteBook> make_routes(const scene::Crowd& crowd) {
 }
 
 Journeys::Journeys(const scene::Crowd& crowd, const World& world, Routes routes)
-    : goals_(crowd.goals), routes_(std::move(routes)), origin_(world.origin) {}
+    : goals_(crowd.goals), routes_(std::move(routes)), origin_(world.origin) {
+  for (const Legs& legs : routes_.legs)
+    for (const std::vector<std::uint16_t>& leg : legs)
+      for (const std::uint16_t g : leg) endless_ = endless_ && goals_[g].direction.has_value();
+}
 
 const scene::Goal* Journeys::goal_at(const Agents& agents, std::size_t i) const {
   const Legs& legs = routes_.legs[agents.route[i]];
@@ -89,28 +93,40 @@ void Journeys::next_leg(Agents& agents, std::size_t i, const scene::Goal* goal) 
   if (goal == nullptr || goal->absorb) {
     leaving_.push_back(static_cast<std::uint32_t>(i));
   } else {
-    agents.wait[i] = kStays;
+    agents.wait[i] = kStays, ++paused_;
   }
 }
 
+/// Somebody who waits, or who is in a goal of his leg.
+void Journeys::visit(Agents& agents, std::size_t i, double dt) {
+  float& wait = agents.wait[i];
+  if (wait < 0) return;
+  const scene::Goal* goal = goal_at(agents, i);
+  if (wait > 0) {
+    wait -= static_cast<float>(dt);
+    if (wait > kMoment) return;
+    wait = 0, --paused_;
+  } else if (goal != nullptr && goal->wait > 0) {
+    wait = static_cast<float>(goal->wait), ++paused_;
+    return;
+  }
+  next_leg(agents, i, goal);
+}
+
 void Journeys::advance(Agents& agents, const Planner& planner, double dt, int threads) {
+  leaving_.clear();
+  if (endless_) return;
   const std::size_t n = agents.size();
   flags_.resize(n);
   planner.arrived(agents, flags_, threads);
-  leaving_.clear();
+  if (paused_ > 0)
+    for (std::size_t i = 0; i < n; ++i) flags_[i] = flags_[i] | static_cast<std::uint8_t>(agents.wait[i] != 0);
+  // Few flags are up, and bytes are found faster than they are looked at one by one.
   for (std::size_t i = 0; i < n; ++i) {
-    if (!flags_[i] && agents.wait[i] == 0) continue;
-    if (agents.wait[i] < 0) continue;
-    const scene::Goal* goal = goal_at(agents, i);
-    if (agents.wait[i] > 0) {
-      agents.wait[i] -= static_cast<float>(dt);
-      if (agents.wait[i] > kMoment) continue;
-      agents.wait[i] = 0;
-    } else if (goal != nullptr && goal->wait > 0) {
-      agents.wait[i] = static_cast<float>(goal->wait);
-      continue;
-    }
-    next_leg(agents, i, goal);
+    const void* up = std::memchr(flags_.data() + i, 1, n - i);
+    if (up == nullptr) break;
+    i = static_cast<std::size_t>(static_cast<const std::uint8_t*>(up) - flags_.data());
+    visit(agents, i, dt);
   }
 }
 

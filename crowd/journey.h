@@ -34,12 +34,15 @@ class Journeys {
 
  private:
   const scene::Goal* goal_at(const Agents& agents, std::size_t i) const;
+  void visit(Agents& agents, std::size_t i, double dt);
   void next_leg(Agents& agents, std::size_t i, const scene::Goal* goal);
 
   std::vector<scene::Goal> goals_;
   Routes routes_;
   Vec2 origin_;
+  bool endless_ = true;  ///< nobody ever arrives: there are but directions
   std::size_t arrived_ = 0;
+  std::size_t paused_ = 0;  ///< people who wait or stay
   std::vector<std::uint8_t> flags_;
   std::vector<std::uint32_t> leaving_;
 };

@@ -51,7 +51,9 @@ const std::vector<scene::CrowdModel> kModels = {scene::PbdModel{}, scene::PowerL
 
 TEST_CASE("people come and go and nobody is lost or put back") {
   const scene::Scene scene = corridor();
-  Result<Simulation> made = Simulation::make(scene, {});
+  Settings settings;
+  settings.model = scene::PowerLawModel{};
+  Result<Simulation> made = Simulation::make(scene, settings);
   REQUIRE(made.ok());
   Simulation& simulation = *made;
   CHECK(simulation.agents().size() == 30);

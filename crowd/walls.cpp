@@ -1,6 +1,8 @@
 #include "crowd/walls.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 
 #include "core/lists.h"
@@ -26,6 +28,11 @@ bool near_cell(const WallSegment& s, double low_x, double low_y, double cell, do
   const double dx = s.bx - s.ax, dy = s.by - s.ay;
   const double cross = dx * (cy - s.ay) - dy * (cx - s.ax);
   return std::abs(cross) <= half * (std::abs(dx) + std::abs(dy));
+}
+
+/// The float, or 0 where `keep` is 0 instead of 1.
+float or_zero(float value, std::int32_t keep) {
+  return std::bit_cast<float>(std::bit_cast<std::int32_t>(value) & -keep);
 }
 
 double orient(double ax, double ay, double bx, double by, double px, double py) {
@@ -117,6 +124,37 @@ bool Walls::on_floor(float x, float y) const {
       inside_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
   if (state != kBorder) return state != kSolid;
   return std::ranges::any_of(floors_, [&](const Floor& floor) { return contains(floor, Vec2{x, y}); });
+}
+
+void Walls::in_the_open(std::span<const float> x, std::span<const float> y, std::span<std::uint8_t> flags) const {
+  if (segments_.empty()) {
+    for (std::size_t k = 0; k < x.size(); ++k) flags[k] = x[k] - x[k] == 0 && y[k] - y[k] == 0;
+    return;
+  }
+  // In parts, each in three loops: the first two are arithmetic without branches, which compilers turn into vectors.
+  // Indices are below 2^24, so that floats hold them.
+  constexpr std::size_t kPart = 256;
+  std::array<std::int32_t, kPart> cell, in;
+  const auto columns = static_cast<float>(columns_), rows = static_cast<float>(rows_);
+  const float min_x = min_x_, min_y = min_y_, inverse = inverse_cell_;
+  const std::uint8_t* const inside = inside_.data();
+  for (std::size_t begin = 0; begin < x.size(); begin += kPart) {
+    const std::size_t count = std::min(kPart, x.size() - begin);
+    const float *px = x.data() + begin, *py = y.data() + begin;
+    for (std::size_t k = 0; k < count; ++k) {
+      const float c = (px[k] - min_x) * inverse, r = (py[k] - min_y) * inverse;
+      in[k] = static_cast<std::int32_t>(c >= 0) & static_cast<std::int32_t>(c < columns) &
+              static_cast<std::int32_t>(r >= 0) & static_cast<std::int32_t>(r < rows);
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      const float c = or_zero((px[k] - min_x) * inverse, in[k]), r = or_zero((py[k] - min_y) * inverse, in[k]);
+      cell[k] = static_cast<std::int32_t>(static_cast<float>(static_cast<std::int32_t>(r)) * columns +
+                                          static_cast<float>(static_cast<std::int32_t>(c)));
+    }
+    std::uint8_t* const out = flags.data() + begin;
+    for (std::size_t k = 0; k < count; ++k)
+      out[k] = static_cast<std::uint8_t>(in[k] & static_cast<std::int32_t>(inside[cell[k]] == kOpen));
+  }
 }
 
 bool Walls::leaves(float ax, float ay, float bx, float by) const {

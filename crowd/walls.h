@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/containment.h"
@@ -48,13 +49,12 @@ class Walls {
   /// True where no wall is within the reach and the floor is all around: one look at a byte. Never true for numbers
   /// that are no numbers.
   bool in_the_open(float x, float y) const {
-    if (segments_.empty()) return x - x == 0 && y - y == 0;
-    const float column = (x - min_x_) * inverse_cell_, row = (y - min_y_) * inverse_cell_;
-    if (!(column >= 0 && row >= 0 && column < static_cast<float>(columns_) && row < static_cast<float>(rows_)))
-      return false;
-    return inside_[static_cast<std::size_t>(static_cast<std::int32_t>(row) * columns_ +
-                                            static_cast<std::int32_t>(column))] == kOpen;
+    std::uint8_t flag = 0;
+    in_the_open({&x, 1}, {&y, 1}, {&flag, 1});
+    return flag != 0;
   }
+  /// The same for many: flags[k] is 1 or 0.
+  void in_the_open(std::span<const float> x, std::span<const float> y, std::span<std::uint8_t> flags) const;
   /// True when the way from a, which is on the floor, to b leaves the floor. Standing on a border is on the floor.
   /// Exact for the floats given. Requires: |b - a| <= the reach.
   bool leaves(float ax, float ay, float bx, float by) const;
