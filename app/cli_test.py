@@ -35,7 +35,7 @@ def fails(*arguments):
 
 def test_help(folder):
     assert "furnish" in run("--help").stdout
-    for verb in ("furnish", "check", "scenes", "render", "convert", "bench"):
+    for verb in ("furnish", "check", "simulate", "scenes", "render", "convert", "bench"):
         text = run(verb, "--help").stdout
         assert f"inhabit {verb}" in text and "Example" in text, text
     assert run("--version").stdout.startswith("inhabit ")
@@ -255,6 +255,76 @@ def test_interrupt(folder):
     assert process.returncode in (0, 1), complaint
     assert "interrupted" in text, text
     assert all("position" in item for item in json.loads(out.read_text())["objects"])
+
+
+CORRIDOR = {
+    "format": "inhabit-scene", "version": 1, "name": "corridor",
+    "space": {"outline": [[0, 0], [30, 0], [30, 6], [0, 6]],
+              "holes": [{"id": "pillar", "outline": [[14, 2.5], [15, 2.5], [15, 3.5], [14, 3.5]]}]},
+    "crowd": {"populations": [{"id": "walkers", "area": [[2, 0.5], [8, 0.5], [8, 5.5], [2, 5.5]], "spacing": 1,
+                               "goal": "east"}],
+              "sources": [{"id": "entrance", "area": [[24, 1], [27, 1], [27, 5], [24, 5]], "rate": 1, "goal": "west"}],
+              "goals": [{"id": "east", "area": [[29, 0], [30, 0], [30, 6], [29, 6]]},
+                        {"id": "west", "area": [[0, 0], [1, 0], [1, 6], [0, 6]]}]}}
+
+
+def test_simulate(folder):
+    """People walk, the file has a row for each of them every two steps, and wrong input is one line."""
+    scene = folder / "corridor.json"
+    scene.write_text(json.dumps(CORRIDOR))
+    out = folder / "walk.txt"
+    summary = json.loads(run("simulate", scene, "-o", out, "--seconds", 3, "--json").stdout)
+    assert summary["people"] == 33 and summary["steps"] == 144 and summary["frames"] == 73, summary
+    assert summary["put_back"] == 0 and summary["warnings"] == [], summary
+    lines = out.read_text().splitlines()
+    assert "framerate: 24" in lines[0], lines[0]
+    assert sum(not line.startswith("#") for line in lines) > 30 * 73
+    for threads in (1, 3):
+        again = folder / f"walk-{threads}.txt"
+        assert run("simulate", scene, "-o", again, "--seconds", 3, "--threads", threads, "-q").stdout == ""
+        assert again.read_bytes() == out.read_bytes()
+    run("simulate", scene, "-o", again, "--seconds", 3, "--seed", 2, "-q")
+    assert again.read_bytes() != out.read_bytes()
+    for name in ("walk.csv", "walk.h5", "walk.sqlite"):
+        run("simulate", scene, "-o", folder / name, "--seconds", 0.5, "--model", "orca", "--set", "horizon=3", "-q")
+        assert (folder / name).stat().st_size > 0
+    assert "people" in run("simulate", scene, "--seconds", 0.1).stdout
+    assert "iterations" in run("simulate", "--parameters").stdout
+
+    assert 'did you mean "power-law"' in fails("simulate", scene, "--model", "power-lau")
+    assert 'did you mean "iterations"' in fails("simulate", scene, "--set", "iteratoins=3")
+    assert "at most 1 s" in fails("simulate", scene, "--step", 2, "-o", out)
+    assert "people" in fails("simulate", "living-room")
+    fails("simulate")
+    fails("simulate", scene, "-o", folder / "walk.docx")
+    fails("simulate", scene, "--every", 0)
+    lost = json.loads(json.dumps(CORRIDOR))
+    lost["space"]["holes"][0]["outline"] = [[14, 0], [15, 0], [15, 6], [14, 6]]
+    scene.write_text(json.dumps(lost))
+    before = out.read_bytes()
+    complaint = fails("simulate", scene, "-o", out)
+    assert "/crowd/" in complaint and "nobody can get from" in complaint and "west" in complaint, complaint
+    assert out.read_bytes() == before
+
+
+def test_simulate_interrupt(folder):
+    """Ctrl-C keeps the frames so far, in every format."""
+    scene = folder / "corridor.json"
+    scene.write_text(json.dumps(CORRIDOR))
+    for name in ("walk.txt", "walk.csv", "walk.h5", "walk.sqlite"):
+        out = folder / name
+        process = subprocess.Popen([INHABIT, "simulate", str(scene), "-o", str(out), "--seconds", "1000000", "--json"],
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        time.sleep(1)
+        process.send_signal(signal.SIGINT)
+        text, complaint = process.communicate(timeout=60)
+        assert process.returncode == 0, complaint
+        summary = json.loads(text)
+        assert summary["cancelled"] and summary["frames"] > 0, summary
+        assert out.stat().st_size > 0
+        if name.endswith(".txt"):
+            last = out.read_text().splitlines()[-1].split()
+            assert int(last[1]) == summary["frames"] - 1, (last, summary)
 
 
 def test_bench(folder):

@@ -18,6 +18,7 @@ struct Verb {
 constexpr std::array kVerbs = {
     Verb{"furnish", "Arrange the objects of a scene or of a home's rooms", set_up_furnish},
     Verb{"check", "Say what is wrong with a layout", set_up_check},
+    Verb{"simulate", "Let people walk through a scene", set_up_simulate},
     Verb{"scenes", "List the built-in scenes, or print one", set_up_scenes},
     Verb{"render", "Draw a plan", set_up_render},
     Verb{"convert", "Read one format and write another, by extension", set_up_convert},

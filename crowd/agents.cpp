@@ -21,4 +21,14 @@ void Agents::remove(std::span<const std::uint8_t> flags) {
   });
 }
 
+void Agents::take_out(std::span<const std::uint32_t> indices) {
+  for_each_array([&](auto& array) {
+    for (std::size_t k = indices.size(); k-- > 0;) {
+      INHABIT_ASSERT(indices[k] < array.size());
+      array[indices[k]] = array.back();
+      array.pop_back();
+    }
+  });
+}
+
 }  // namespace inhabit::crowd

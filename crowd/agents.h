@@ -25,7 +25,9 @@ struct Agents {
   std::vector<std::uint32_t> id;     ///< never given twice; from 0
   std::vector<std::uint16_t> route;  ///< index of the route they follow
   std::vector<std::uint16_t> leg;    ///< how far they are on it
-  std::vector<float> wait;           ///< seconds still to be spent where they are
+  std::vector<float> wait;           ///< seconds still to be spent where they are; below 0: they have arrived for good
+  // Where they were before the model's step, always on the floor: the simulation's alone.
+  std::vector<float> kept_x, kept_y;  ///< metres
 
   std::size_t size() const { return x.size(); }
   bool empty() const { return x.empty(); }
@@ -34,7 +36,7 @@ struct Agents {
   template <class F>
   void for_each_array(F&& f) {
     f(x), f(y), f(vx), f(vy), f(wish_x), f(wish_y), f(radius), f(mass), f(preferred_speed), f(maximum_speed);
-    f(id), f(route), f(leg), f(wait);
+    f(id), f(route), f(leg), f(wait), f(kept_x), f(kept_y);
   }
 
   void reserve(std::size_t count) {
@@ -49,6 +51,9 @@ struct Agents {
   void permute(std::span<const std::uint32_t> order);
   /// Removes every agent whose flag is set; the others keep their order.
   void remove(std::span<const std::uint8_t> flags);
+  /// Removes the agents of these indices; the last ones take their places. Cost: the number of indices, not of agents.
+  /// Requires: ascending, none twice.
+  void take_out(std::span<const std::uint32_t> indices);
 };
 
 }  // namespace inhabit::crowd

@@ -5,12 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "core/progress.h"
 #include "crowd/agents.h"
-#include "crowd/planner.h"
+#include "crowd/placement.h"
 #include "crowd/world.h"
 
 namespace inhabit::crowd {
+
+/// Nobody's steps are longer; models fall apart long before, seconds.
+constexpr double kLongestStep = 1;
 
 struct Settings {
   std::optional<scene::CrowdModel> model;  ///< absent: the scene's
@@ -19,16 +21,11 @@ struct Settings {
   int threads = 0;                         ///< 0: all there are; never changes the result
 };
 
-/// What became of the request, for people: who could not be placed, moved out of walls, cannot reach a goal.
-struct Intake {
-  std::string population;
-  std::size_t asked = 0, placed = 0, moved = 0, unreachable = 0;
-};
-
 /// A scene with people in it, step after step.
 class Simulation {
  public:
-  /// Errors: a scene without people, a goal nobody can reach.
+  /// Errors: a scene without people, a step that is not above 0 and at most kLongestStep, no floor, goals that there
+  /// are not or that nobody of a population (or source) can reach.
   static Result<Simulation> make(const scene::Scene& scene, const Settings& settings);
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
@@ -45,7 +42,10 @@ class Simulation {
   std::span<const Intake> intakes() const;
   std::size_t arrived() const;          ///< people who have reached the end of their route
   std::size_t waiting_outside() const;  ///< of sources: due, but without room
-  bool finished() const;                ///< nobody is there and nobody will come
+  std::size_t people() const;           ///< everybody there ever was
+  /// How often somebody was put back out of a wall or had lost his numbers; 0 for a model that works.
+  std::size_t put_back() const;
+  bool finished() const;  ///< nobody is there and nobody will come
 
  private:
   struct State;

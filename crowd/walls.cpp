@@ -1,6 +1,8 @@
 #include "crowd/walls.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 
 #include "core/lists.h"
@@ -28,13 +30,18 @@ bool near_cell(const WallSegment& s, double low_x, double low_y, double cell, do
   return std::abs(cross) <= half * (std::abs(dx) + std::abs(dy));
 }
 
+/// The float, or 0 where `keep` is 0 instead of 1.
+float or_zero(float value, std::int32_t keep) {
+  return std::bit_cast<float>(std::bit_cast<std::int32_t>(value) & -keep);
+}
+
 double orient(double ax, double ay, double bx, double by, double px, double py) {
   return (bx - ax) * (py - ay) - (by - ay) * (px - ax);
 }
 
 }  // namespace
 
-Walls::Walls(const std::vector<Floor>& floors, Vec2 origin, double reach) {
+Walls::Walls(const std::vector<Floor>& floors, Vec2 origin, double reach) : reach_(static_cast<float>(reach)) {
   Bounds box;
   const auto add_ring = [&](const Ring& ring, bool outline) {
     for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -64,7 +71,7 @@ Walls::Walls(const std::vector<Floor>& floors, Vec2 origin, double reach) {
   // Segments are near the cells that their bounds, grown by reach, cover and whose square they come close to.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> near;
   const double grown = reach + 1e-3 * cell;  // floats put a point on a cell's edge into either
-  inside_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0);
+  inside_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), kSolid);
   for (std::uint32_t k = 0; k < segments_.size(); ++k) {
     const WallSegment& s = segments_[k];
     const auto index = [&](double at, std::int32_t count) {
@@ -79,7 +86,7 @@ Walls::Walls(const std::vector<Floor>& floors, Vec2 origin, double reach) {
         const double low_x = min_x_ + c * cell, low_y = min_y_ + r * cell;
         const auto place = static_cast<std::uint32_t>(r * columns_ + c);
         if (near_cell(s, low_x, low_y, cell, grown)) near.emplace_back(place, k);
-        if (near_cell(s, low_x, low_y, cell, 1e-3 * cell)) inside_[place] = 2;
+        if (near_cell(s, low_x, low_y, cell, 1e-3 * cell)) inside_[place] = kBorder;
       }
   }
   first_.assign(inside_.size() + 1, 0), items_.resize(near.size());
@@ -90,10 +97,11 @@ Walls::Walls(const std::vector<Floor>& floors, Vec2 origin, double reach) {
 
   for (std::int32_t r = 0; r < rows_; ++r)
     for (std::int32_t c = 0; c < columns_; ++c) {
-      std::uint8_t& state = inside_[static_cast<std::size_t>(r * columns_ + c)];
-      if (state == 2) continue;
+      const auto place = static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(c);
+      if (inside_[place] == kBorder) continue;
       const Vec2 middle{min_x_ + (c + 0.5) * cell, min_y_ + (r + 0.5) * cell};
-      state = std::ranges::any_of(floors_, [&](const Floor& floor) { return contains(floor, middle); }) ? 1 : 0;
+      if (std::ranges::any_of(floors_, [&](const Floor& floor) { return contains(floor, middle); }))
+        inside_[place] = first_[place] == first_[place + 1] ? kOpen : kFloor;
     }
 }
 
@@ -114,8 +122,50 @@ bool Walls::on_floor(float x, float y) const {
     return false;
   const std::uint8_t state =
       inside_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column)];
-  if (state != 2) return state == 1;
+  if (state != kBorder) return state != kSolid;
   return std::ranges::any_of(floors_, [&](const Floor& floor) { return contains(floor, Vec2{x, y}); });
+}
+
+void Walls::in_the_open(std::span<const float> x, std::span<const float> y, std::span<std::uint8_t> flags) const {
+  if (segments_.empty()) {
+    for (std::size_t k = 0; k < x.size(); ++k) flags[k] = x[k] - x[k] == 0 && y[k] - y[k] == 0;
+    return;
+  }
+  // In parts, each in three loops: the first two are arithmetic without branches, which compilers turn into vectors.
+  // Indices are below 2^24, so that floats hold them.
+  constexpr std::size_t kPart = 256;
+  std::array<std::int32_t, kPart> cell, in;
+  const auto columns = static_cast<float>(columns_), rows = static_cast<float>(rows_);
+  const float min_x = min_x_, min_y = min_y_, inverse = inverse_cell_;
+  const std::uint8_t* const inside = inside_.data();
+  for (std::size_t begin = 0; begin < x.size(); begin += kPart) {
+    const std::size_t count = std::min(kPart, x.size() - begin);
+    const float *px = x.data() + begin, *py = y.data() + begin;
+    for (std::size_t k = 0; k < count; ++k) {
+      const float c = (px[k] - min_x) * inverse, r = (py[k] - min_y) * inverse;
+      in[k] = static_cast<std::int32_t>(c >= 0) & static_cast<std::int32_t>(c < columns) &
+              static_cast<std::int32_t>(r >= 0) & static_cast<std::int32_t>(r < rows);
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      const float c = or_zero((px[k] - min_x) * inverse, in[k]), r = or_zero((py[k] - min_y) * inverse, in[k]);
+      cell[k] = static_cast<std::int32_t>(static_cast<float>(static_cast<std::int32_t>(r)) * columns +
+                                          static_cast<float>(static_cast<std::int32_t>(c)));
+    }
+    std::uint8_t* const out = flags.data() + begin;
+    for (std::size_t k = 0; k < count; ++k)
+      out[k] = static_cast<std::uint8_t>(in[k] & static_cast<std::int32_t>(inside[cell[k]] == kOpen));
+  }
+}
+
+bool Walls::leaves(float ax, float ay, float bx, float by) const {
+  for (const std::uint32_t k : near(bx, by)) {
+    const WallSegment& s = segments_[k];
+    // The floor is on the left. Half-open in each test, so that a way through a corner meets one of its two sides.
+    if (!(orient(s.ax, s.ay, s.bx, s.by, bx, by) < 0) || orient(s.ax, s.ay, s.bx, s.by, ax, ay) < 0) continue;
+    const double p = orient(ax, ay, bx, by, s.ax, s.ay), q = orient(ax, ay, bx, by, s.bx, s.by);
+    if ((p > 0) != (q > 0)) return true;
+  }
+  return false;
 }
 
 bool Walls::sees(float ax, float ay, float bx, float by) const {

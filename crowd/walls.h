@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "geometry/containment.h"
@@ -45,6 +46,22 @@ class Walls {
   /// reach.
   std::span<const std::uint32_t> near(float x, float y) const;
 
+  /// True where no wall is within the reach and the floor is all around: one look at a byte. Never true for numbers
+  /// that are no numbers.
+  bool in_the_open(float x, float y) const {
+    std::uint8_t flag = 0;
+    in_the_open({&x, 1}, {&y, 1}, {&flag, 1});
+    return flag != 0;
+  }
+  /// The same for many: flags[k] is 1 or 0.
+  void in_the_open(std::span<const float> x, std::span<const float> y, std::span<std::uint8_t> flags) const;
+  /// True when the way from a, which is on the floor, to b leaves the floor. Standing on a border is on the floor.
+  /// Exact for the floats given. Requires: |b - a| <= the reach.
+  bool leaves(float ax, float ay, float bx, float by) const;
+
+  /// The reach that it was made for, metres.
+  float reach() const { return reach_; }
+
   /// True on a floor, borders included. Walls that are empty allow everything.
   bool on_floor(float x, float y) const;
   /// True when the straight way from a to b meets no wall and both ends are on the floor.
@@ -53,10 +70,13 @@ class Walls {
  private:
   std::vector<WallSegment> segments_;
   float min_x_ = 0, min_y_ = 0, inverse_cell_ = 1;
+  float reach_ = 0;
   std::int32_t columns_ = 0, rows_ = 0;
   std::vector<std::uint32_t> first_, items_;  ///< per cell, the segments near it
-  std::vector<std::uint8_t> inside_;          ///< per cell: 0 solid, 1 floor, 2 has a border: ask the floors
-  std::vector<Floor> floors_;                 ///< seen from the origin
+  /// What a cell is: nothing, floor, crossed by a border (ask the floors), floor without a wall in reach.
+  enum : std::uint8_t { kSolid, kFloor, kBorder, kOpen };
+  std::vector<std::uint8_t> inside_;  ///< per cell
+  std::vector<Floor> floors_;         ///< seen from the origin
 };
 
 }  // namespace inhabit::crowd

@@ -20,7 +20,11 @@ struct World {
   Vec2 to_scene(float x, float y) const { return origin + Vec2{x, y}; }
 };
 
-/// Objects without a position are not there. `reach`: how far models ask about walls, metres.
+/// The floor is the outline without the holes and without the footprint of every object that stands, lies or hangs
+/// between kStepHeight and kBodyHeight; rugs and whatever else is walked on are floor, and objects without a position
+/// are not there. Walls are closed, doors included, but for the doors that somebody uses: where the area of a goal or a
+/// source reaches through a door, a doorway as wide as the door and as deep as that area is floor too. `reach`: how far
+/// models ask about walls, metres. Errors: no floor is left.
 Result<World> make_world(const scene::Scene& scene, double reach);
 
 }  // namespace inhabit::crowd
