@@ -36,7 +36,7 @@ struct MarchSeed {
 
 /// T of every cell, metres: seeds have theirs (the smallest, where a cell is given twice), all others follow by
 /// |grad T| = cost. Cells of infinite cost are closed; they and what no way leads to are infinite. Second-order upwind
-/// differences (Sethian 1999, Fast Marching Methods, SIAM Review 41, sec. 4.2) where two known cells stand in a row,
+/// differences (Sethian's fast marching with his second-order scheme) where two known cells stand in a row,
 /// first order elsewhere. Ties are broken by the cell's number. Cost O(n log n). Requires: one cost > 0 for each cell.
 std::vector<float> march(const Lattice& lattice, std::span<const float> cost, std::span<const MarchSeed> seeds);
 

@@ -7,8 +7,8 @@
 #include "crowd/world.h"
 
 /// The ways of a disc round the reflex corners of a floor. The shortest way of a disc's middle consists of straight
-/// pieces and arcs about such corners: the straight pieces touch the circles that they join (Laumond 1987; the reduced
-/// visibility graph of the floor shrunk by a disc).
+/// pieces and arcs about such corners: the straight pieces touch the circles that they join (the reduced visibility
+/// graph of the floor shrunk by a disc).
 namespace inhabit::crowd {
 
 /// A corner that sticks into the floor, and the circle on which people pass it.
