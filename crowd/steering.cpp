@@ -55,10 +55,11 @@ Vec2 moved_among_walls(const Walls& walls, Vec2 from, Vec2 to, double radius) {
 }
 
 void NextMoment::set(const Agents& now, std::size_t i, Vec2 v, const Walls& walls, double dt, double core) {
-  const Vec2 from = position(now, i), most = limited(v, now.maximum_speed[i]), free = from + dt * most;
+  const Vec2 from = position(now, i) + lost_[i], most = limited(v, now.maximum_speed[i]), free = from + dt * most;
   const Vec2 to = moved_among_walls(walls, from, free, core * now.radius[i]);
   const Vec2 had = to == free ? most : limited((1 / dt) * (to - from), now.maximum_speed[i]);
   x_[i] = static_cast<float>(to.x), y_[i] = static_cast<float>(to.y);
+  lost_[i] = to - Vec2{x_[i], y_[i]};
   vx_[i] = static_cast<float>(had.x), vy_[i] = static_cast<float>(had.y);
 }
 

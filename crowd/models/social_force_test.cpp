@@ -135,6 +135,22 @@ TEST_CASE("a crowd that is pressed together parts without an explosion at any st
     }
 }
 
+TEST_CASE("neighbours found once count in every sub-step") {
+  // Two who close in at 16 m/s each, from just outside of the range in which pushes count: in the last sub-steps they
+  // feel each other.
+  auto parameters = kModel;
+  parameters.relaxation_time = 100;
+  Agents agents;
+  const double far = 17 * kModel.repulsion_range;
+  add_agent(agents, {-0.5 * far - 0.5 - 0.3, 0}, {16, 0}), add_agent(agents, {0.5 * far + 0.5 + 0.3, 0}, {-16, 0});
+  agents.vx[0] = 16, agents.vx[1] = -16;
+  parameters.repulsion = 1e6, parameters.person_mass = 1;
+  SocialForce(parameters).step(agents, {{}, kStep, 1});
+  const auto index = index_of(agents);
+  CHECK(agents.vx[index[0]] < 16 - 1e-5f);
+  CHECK(agents.vx[index[1]] > -16 + 1e-5f);
+}
+
 TEST_CASE("a wall in pieces is one wall and a corner that sticks out is one corner") {
   const auto contacts = [](const Walls& walls, Vec2 p) {
     std::vector<Vec2> points;
