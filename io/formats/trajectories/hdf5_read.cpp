@@ -22,7 +22,7 @@ struct Row {
 };
 
 /// Seconds that reading may compute: damaged files can send the library round in circles.
-unsigned patience(std::size_t bytes) { return 30 + static_cast<unsigned>(bytes >> 20); }
+unsigned patience(std::size_t bytes) { return 10 + static_cast<unsigned>(bytes >> 20); }
 
 /// Kinds of messages from the process that reads: an error, the rate, the title, an area, rows.
 enum Kind : char { kError = 'e', kRate = 'f', kTitle = 't', kArea = 'a', kRows = 'r' };
