@@ -10,6 +10,7 @@ namespace inhabit::io {
 /// The dataset /trajectory of the Juelich archive and of JuPedSim, columns by name whatever their types and order,
 /// metres. The frame rate is the attribute `fps` of the dataset or the file, or JuPedSim's `dt` and `every_nth_frame`;
 /// the area is `wkt_geometry` or JuPedSim's /regions. Links and data that lead out of the file are not followed.
+/// The library reads in a process of its own, because damaged files make it crash: then that is the error.
 bool is_hdf5(std::string_view bytes);
 Result<RawTrajectories> read_hdf5(std::string_view bytes);
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstring>
 
+#include "io/formats/trajectories/apart.h"
 #include "io/formats/trajectories/areas.h"
 #include "io/formats/trajectories/hdf5.h"
 #include "io/formats/trajectories/hdf5_handle.h"
@@ -20,7 +21,17 @@ struct Row {
   double x, y;
 };
 
+/// Seconds that reading may compute: damaged files can send the library round in circles.
+unsigned patience(std::size_t bytes) { return 10 + static_cast<unsigned>(bytes >> 20); }
+
+/// Kinds of messages from the process that reads: an error, the rate, the title, an area, rows.
+enum Kind : char { kError = 'e', kRate = 'f', kTitle = 't', kArea = 'a', kRows = 'r' };
+
 Error broken(std::string what) { return invalid("", "HDF5: " + std::move(what)); }
+template <class T>
+std::string_view bytes_of(const T* values, std::size_t count) {
+  return {reinterpret_cast<const char*>(values), count * sizeof(T)};
+}
 
 // The library would copy the image twice; these hand out our own bytes instead. The file is opened for reading only, so
 // they are not written to.
@@ -107,11 +118,10 @@ Result<Hdf5Handle> memory_type(hid_t file_type) {
   return type;
 }
 
-Status read_rows_of(hid_t dataset, hid_t type, hid_t space, hsize_t rows, RawTrajectories& raw) {
+Status send_rows(hid_t dataset, hid_t type, hid_t space, hsize_t rows, Sender& out) {
   const Hdf5Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
   if (!transfer || H5Pset_type_conv_cb(transfer.get(), refuse, nullptr) < 0) return broken("no memory");
   std::vector<Row> piece(static_cast<std::size_t>(std::min(rows, kPiece)));
-  RawRows out(raw);
   for (hsize_t at = 0; at < rows; at += kPiece) {
     const hsize_t count = std::min(kPiece, rows - at);
     const Hdf5Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
@@ -119,15 +129,13 @@ Status read_rows_of(hid_t dataset, hid_t type, hid_t space, hsize_t rows, RawTra
         H5Dread(dataset, type, memory.get(), space, transfer.get(), piece.data()) < 0)
       return broken("the rows of /trajectory from " + std::to_string(at + 1) +
                     " on cannot be read: damaged or cut off");
-    for (std::size_t k = 0; k < count; ++k)
-      if (!out.add(piece[k].id, piece[k].frame, piece[k].x, piece[k].y))
-        return invalid("row " + std::to_string(at + k + 1) + " of /trajectory", out.problem);
+    out.send(kRows, bytes_of(piece.data(), count));
   }
   return Done{};
 }
 
 /// JuPedSim's newer files have the area in parts: /regions {id, wkt}.
-void read_regions(hid_t file, RawTrajectories& raw) {
+void send_regions(hid_t file, Sender& out) {
   const Hdf5Handle dataset = open_dataset(file, "regions");
   if (!dataset) return;
   const Hdf5Handle type(H5Dget_type(dataset.get()), H5Tclose), space(H5Dget_space(dataset.get()), H5Sclose);
@@ -142,31 +150,24 @@ void read_regions(hid_t file, RawTrajectories& raw) {
   std::vector<char*> texts(static_cast<std::size_t>(count), nullptr);
   if (H5Dread(dataset.get(), memory.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()) >= 0)
     for (const char* wkt : texts)
-      if (wkt != nullptr) take_walkable(wkt, raw);
+      if (wkt != nullptr) out.send(kArea, wkt);
   for (char* wkt : texts) H5free_memory(wkt);
-  if (raw.walkable.size() > 1) raw.walkable = geometry::difference(raw.walkable, {}, 0);
 }
 
-void read_attributes(hid_t file, hid_t dataset, RawTrajectories& raw) {
-  raw.frame_rate = hdf5_number(dataset, "fps");
-  if (!raw.frame_rate) raw.frame_rate = hdf5_number(file, "fps");
+void send_attributes(hid_t file, hid_t dataset, Sender& out) {
+  std::optional<double> rate = hdf5_number(dataset, "fps");
+  if (!rate) rate = hdf5_number(file, "fps");
   const std::optional<double> step = hdf5_number(file, "dt"), every = hdf5_number(file, "every_nth_frame");
-  if (!raw.frame_rate && step && every && *step * *every > 0) raw.frame_rate = 1 / (*step * *every);
-  if (const std::optional<std::string> title = hdf5_text(file, "experiment_title")) raw.title = *title;
+  if (!rate && step && every && *step * *every > 0) rate = 1 / (*step * *every);
+  if (rate) out.send(kRate, bytes_of(&*rate, 1));
+  if (const std::optional<std::string> title = hdf5_text(file, "experiment_title")) out.send(kTitle, *title);
   if (const std::optional<std::string> wkt = hdf5_text(file, "wkt_geometry"))
-    take_walkable(*wkt, raw);
+    out.send(kArea, *wkt);
   else
-    read_regions(file, raw);
+    send_regions(file, out);
 }
 
-}  // namespace
-
-bool is_hdf5(std::string_view bytes) { return bytes.starts_with("\x89HDF\r\n\x1a\n"); }
-
-Result<RawTrajectories> read_hdf5(std::string_view bytes) {
-  const Hdf5Session session;
-  RawTrajectories raw;
-  raw.unit = LengthUnit::metres;
+Status send_all(std::string_view bytes, Sender& out) {
   const Hdf5Handle file = open_image(bytes);
   if (!file) return broken("the file is damaged or cut off");
   const Hdf5Handle dataset = open_dataset(file.get(), "trajectory");
@@ -180,8 +181,50 @@ Result<RawTrajectories> read_hdf5(std::string_view bytes) {
   const Result<Hdf5Handle> type = memory_type(file_type.get());
   if (!type) return type.error();
   if (const auto why = why_not_stored(dataset.get(), rows, H5Tget_size(file_type.get()))) return broken(*why);
-  read_attributes(file.get(), dataset.get(), raw);
-  if (const Status read = read_rows_of(dataset.get(), type->get(), space.get(), rows, raw); !read) return read.error();
+  send_attributes(file.get(), dataset.get(), out);
+  return send_rows(dataset.get(), type->get(), space.get(), rows, out);
+}
+
+Status take_rows(std::string_view payload, RawTrajectories& raw) {
+  RawRows out(raw);
+  for (std::size_t at = 0; at + sizeof(Row) <= payload.size(); at += sizeof(Row)) {
+    Row row{};
+    std::memcpy(&row, payload.data() + at, sizeof row);
+    if (!out.add(row.id, row.frame, row.x, row.y))
+      return invalid("row " + std::to_string(raw.fixes.size() + 1) + " of /trajectory", out.problem);
+  }
+  return Done{};
+}
+
+Status take(char kind, std::string_view payload, RawTrajectories& raw) {
+  double rate = 0;
+  if (kind == kRows) return take_rows(payload, raw);
+  if (kind == kError) return invalid("", std::string(payload));
+  if (kind == kRate && payload.size() == sizeof rate) {
+    std::memcpy(&rate, payload.data(), sizeof rate);
+    raw.frame_rate = rate;
+  }
+  if (kind == kTitle) raw.title = payload;
+  if (kind == kArea) take_walkable(payload, raw);
+  return Done{};
+}
+
+}  // namespace
+
+bool is_hdf5(std::string_view bytes) { return bytes.starts_with("\x89HDF\r\n\x1a\n"); }
+
+Result<RawTrajectories> read_hdf5(std::string_view bytes) {
+  const Hdf5Session session;  // the copy has it too
+  RawTrajectories raw;
+  raw.unit = LengthUnit::metres;
+  const Result<bool> read = run_apart(
+      [&](Sender& out) {
+        if (const Status sent = send_all(bytes, out); !sent) out.send(kError, sent.error().text());
+      },
+      [&](char kind, std::string_view payload) { return take(kind, payload, raw); }, patience(bytes.size()));
+  if (!read) return read.error();
+  if (!*read) return broken("the file is damaged: the HDF5 library could not cope with it");
+  if (raw.walkable.size() > 1) raw.walkable = geometry::difference(raw.walkable, {}, 0);
   return raw;
 }
 
