@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "core/rng.h"
+#include "geometry/convex.h"
 #include "geometry/point_grid.h"
 
 using namespace inhabit::geometry;
@@ -128,4 +129,16 @@ TEST_CASE("close pairs are those of all pairs") {
     });
     CHECK(found == brute);
   }
+}
+
+TEST_CASE("a hull holds all its points and turns at each corner") {
+  inhabit::core::Rng random(13);
+  std::vector<Vec2> points;
+  for (int i = 0; i < 300; ++i) points.push_back({random.uniform(-1, 1), random.uniform(0, 5)});
+  const Ring ring = convex_hull(points);
+  CHECK(is_convex(ring));
+  CHECK(signed_area(ring) > 9);
+  for (const Vec2 p : points) CHECK(contains(ring, p));
+  CHECK(convex_hull({{0, 0}, {1, 1}, {2, 2}, {1, 1}}).size() == 2);
+  CHECK(convex_hull({{0, 0}, {1, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 1}}).size() == 4);
 }

@@ -9,8 +9,8 @@ namespace inhabit::crowd {
 ///
 ///   v_i(t) = (x_i(t + n/f) - x_i(t - n/f)) / (2 n/f)
 ///
-/// with f frames per second, as Zhang et al. measured the Hermes experiments (n = 5, f = 16/s) and as PedPy's
-/// compute_individual_speed has it. The window evens out the swaying of heads.
+/// with f frames per second, as PedPy's compute_individual_speed has it. The window evens out the swaying of heads; its
+/// usual length is ours.
 struct SpeedWindow {
   int frames = 0;  ///< n; 0: the number of frames nearest to 5/16 s
   /// At the ends of a track: take the largest symmetric window there is; or as much as there is on each side; or none.
