@@ -6,7 +6,6 @@
 #include "core/text.h"
 #include "crowd/measures/velocity.h"
 #include "crowd/measures/voronoi_density.h"
-#include "crowd/world.h"
 #include "geometry/convex.h"
 
 namespace inhabit::session {
@@ -95,16 +94,6 @@ std::vector<double> known_sorted(const std::vector<double>& values) {
 
 Result<scene::Trajectories> open_trajectories(const std::string& path, const io::TrajectoryOptions& options) {
   return io::read_trajectories(std::filesystem::path(path), options);
-}
-
-Result<std::vector<Area>> walkable_of(const Document& document) {
-  std::vector<Area> areas;
-  for (const Scene& scene : document.scenes) {
-    Result<World> world = make_world(scene, 1);
-    if (!world) return world.error();
-    for (Floor& floor : world->floors) areas.push_back({std::move(floor.outline), std::move(floor.holes)});
-  }
-  return areas;
 }
 
 Result<MeasureReport> measure_job(const scene::Trajectories& trajectories, const MeasureOptions& options) {

@@ -14,7 +14,7 @@ namespace {
 scene::Trajectories corridor() {
   scene::Trajectories t;
   t.frame_rate = 10, t.name = "corridor";
-  t.walkable = {{Ring{{0, 0}, {20, 0}, {20, 2}, {0, 2}}, {}}};
+  t.walkable = {{Ring{{-1, 0}, {21, 0}, {21, 2}, {-1, 2}}, {}}};
   for (int frame = 0; frame < 400; ++frame)
     for (int p = 0; p < 40; ++p) {
       const double x = 1.25 * (frame / 10.0 - p / 2) + 0.123;
@@ -83,7 +83,7 @@ TEST_CASE("a span of time is kept to and an empty one is refused") {
   CHECK(r->until == 10);
   const auto none = measure_job(t, {.from = 100});
   REQUIRE(!none.ok());
-  CHECK(none.error().text().find("0.00 to 39.9") != std::string::npos);
+  CHECK(none.error().text().find("from 0.00 to 3") != std::string::npos);
   CHECK(!measure_job({}, {}).ok());
 }
 
@@ -121,4 +121,20 @@ TEST_CASE("somebody who stands still is measured or refused without harm") {
   CHECK(!measure_text(*r).empty());
   CHECK(!measure_json(*r).empty());
   CHECK(measure_plots(t, *r, "svg").ok());
+}
+
+TEST_CASE("the floor of a scene is what its holes and furniture leave") {
+  Document document;
+  scene::Scene scene;
+  scene.space.outline = {{0, 0}, {6, 0}, {6, 4}, {0, 4}};
+  scene.space.holes = {{"pillar", {{5, 3}, {5.5, 3}, {5.5, 3.5}, {5, 3.5}}, {}}};
+  scene::Object table;
+  table.size = {2, 1, 0.7}, table.position = Vec3{2, 2, 0}, table.angle = 0;
+  scene::Object rug = table, lamp = table, unplaced = table;
+  rug.size.z = 0.02, lamp.position->z = 2.2, unplaced.position.reset();
+  scene.objects = {table, rug, lamp, unplaced};
+  document.scenes = {scene};
+  const auto areas = walkable_of(document);
+  REQUIRE(areas.ok());
+  CHECK(areas->front().size() == doctest::Approx(24 - 0.25 - 2).epsilon(1e-9));
 }
