@@ -18,7 +18,7 @@ BenchCurve::Line line_of(const std::string& name, const std::vector<crowd::Funda
 
 BenchCurve curve_of(const CurveAgreement& a) {
   BenchCurve curve{"measures",
-                   a.experiment + " and " + a.against + ": median speed by density",
+                   "Median speed by density: " + a.experiment + " (ours), " + a.against + " (published)",
                    "density [1/m²]",
                    "speed [m/s]",
                    false,
@@ -26,7 +26,7 @@ BenchCurve curve_of(const CurveAgreement& a) {
                    {}};
   curve.lines = {line_of("ours", a.ours), line_of("published", a.theirs)};
   BenchCurve::Line weidmann{"Weidmann", {}, {}};
-  for (double d = 0.25; d <= 2.5; d += 0.25) weidmann.x.push_back(d), weidmann.y.push_back(crowd::weidmann_speed(d));
+  for (double d = 0.25; d <= 4; d += 0.25) weidmann.x.push_back(d), weidmann.y.push_back(crowd::weidmann_speed(d));
   curve.lines.push_back(std::move(weidmann));
   return curve;
 }

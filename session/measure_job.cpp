@@ -130,10 +130,12 @@ Result<MeasureReport> measure_job(const scene::Trajectories& trajectories, const
   report.classic = classic_density(recording, report.place.area, speed, threads);
   VoronoiDensity voronoi = voronoi_density(recording, ground, report.place.area, speed, threads);
   report.voronoi = std::move(voronoi.rows), report.off_ground = voronoi.off_ground;
-  report.points = fundamental_points(report.voronoi);
-  report.bins = density_bins(report.points, kSlice);
   report.crossings = crossings(recording, report.place.line);
   report.flow = flow(report.crossings, report.place.width);
+  report.steady = steady_span(report.flow);
+  report.points = report.steady ? fundamental_points(report.voronoi, report.steady->first, report.steady->second)
+                                : fundamental_points(report.voronoi);
+  report.bins = density_bins(report.points, kSlice);
   report.lanes = lanes(recording, velocity, {report.main_flow.axis, kLaneBand}, threads);
   report.radius = options.radius;
   const Radii radii{options.radius, {}};

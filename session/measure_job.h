@@ -55,8 +55,9 @@ struct MeasureReport {
   std::vector<double> speeds;  ///< of all fixes whose speed is known, ascending, m/s
   std::vector<crowd::AreaRow> classic, voronoi;
   std::size_t off_ground = 0;
-  std::vector<crowd::FundamentalPoint> points;  ///< Voronoi, one per frame with people
-  std::vector<crowd::DensityBin> bins;          ///< of 0.25 people per square metre
+  std::optional<std::pair<double, double>> steady;  ///< seconds; the diagram is of this span, or of all when absent
+  std::vector<crowd::FundamentalPoint> points;      ///< Voronoi, one per frame with people
+  std::vector<crowd::DensityBin> bins;              ///< of 0.25 people per square metre
   std::vector<crowd::Crossing> crossings;
   crowd::Flow flow;
   std::vector<crowd::LaneRow> lanes;

@@ -101,6 +101,7 @@ std::string measure_json(const MeasureReport& r) {
                    {"p95", r.speeds.empty() ? Json(nullptr) : Json(quantile(r.speeds, 0.95))}};
   json["voronoi"] = area_json(r.voronoi);
   json["classic"] = area_json(r.classic);
+  json["steady"] = r.steady ? Json::array({r.steady->first, r.steady->second}) : Json(nullptr);
   json["fundamental_diagram"] = bins_json(r.bins);
   json["weidmann_rmse"] = known_or_null(crowd::weidmann_rmse(r.bins));
   json["flow"] = flow_json(r.flow);

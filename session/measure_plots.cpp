@@ -156,7 +156,7 @@ Plot space_time_plot(const scene::Trajectories& t, const MeasureReport& r) {
 
 render::HeatMap field_map(const MeasureReport& r) {
   render::HeatMap map;
-  map.title = "Mean density", map.subtitle = r.name + " · dashed: the area, solid: the line";
+  map.title = "Mean density", map.subtitle = r.name;
   map.label = "density", map.unit = "1/m²";
   map.origin = r.field.origin, map.cell = r.field.cell, map.columns = r.field.columns, map.rows = r.field.rows;
   map.values = r.field.density;

@@ -60,8 +60,10 @@ void add_area(Lines& lines, const MeasureReport& r) {
   lines.add("density in the area, most", number(most_density(r.voronoi), 2), "1/m²", how);
   lines.add("density in the area, classic mean", number(mean_density(r.classic), 2), "1/m²", "heads per square metre");
   lines.add("speed in the area, mean", number(mean_speed(r.voronoi), 2), "m/s", how);
+  const std::string span =
+      r.steady ? "steady from " + fixed(r.steady->first, 2) + " to " + fixed(r.steady->second, 2) + " s, " : "";
   lines.add("distance from Weidmann's curve", number(crowd::weidmann_rmse(r.bins), 2), "m/s",
-            "root mean square over " + std::to_string(r.bins.size()) + " slices of density");
+            span + "root mean square over " + std::to_string(r.bins.size()) + " slices of density");
 }
 
 void add_flow(Lines& lines, const MeasureReport& r) {

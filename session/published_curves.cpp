@@ -118,14 +118,12 @@ Result<Points> curve_of(const std::filesystem::path& data, const std::vector<std
 Points steady_points(scene::Trajectories t, const Ring& walls, const MeasureLine& line) {
   t.walkable = {{walls, {}}};
   const Recording recording(t);
-  const std::vector<double> times = flow(crossings(recording, line), line.length()).times;
-  if (times.empty()) return {};
-  const double from = times[times.size() / 5], until = times[times.size() * 4 / 5];
-  VoronoiDensity voronoi =
+  const auto span = steady_span(flow(crossings(recording, line), line.length()));
+  if (!span) return {};
+  const VoronoiDensity voronoi =
       voronoi_density(recording, VoronoiGround(t.walkable), make_measure_area(box_around(line, 2), t.walkable),
                       speeds(velocities(recording, {})));
-  std::erase_if(voronoi.rows, [&](const AreaRow& row) { return row.seconds < from || row.seconds > until; });
-  return fundamental_points(voronoi.rows);
+  return fundamental_points(voronoi.rows, span->first, span->second);
 }
 
 FundamentalPoint medians(const Points& points) {

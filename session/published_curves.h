@@ -24,9 +24,8 @@ struct FlowAgreement {
   int published = 0;         ///< how many
 };
 
-/// From the folder that holds `pedestrians/`. Density and speed are Voronoi's in areas 2 m deep, while the middle three
-/// fifths of the people cross the area's middle: the published points too are from the steady part of each run, chosen
-/// by eye there. Errors: a file that is missing.
+/// From the folder that holds `pedestrians/`. Density and speed are Voronoi's in areas 2 m deep over the steady part of
+/// each run, as theirs are (crowd/measures/crossings.h, steady_span). Errors: a file that is missing.
 Result<std::vector<CurveAgreement>> curve_agreements(const std::filesystem::path& data);
 Result<std::vector<FlowAgreement>> flow_agreements(const std::filesystem::path& data);
 

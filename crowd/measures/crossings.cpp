@@ -55,6 +55,12 @@ Flow flow(std::span<const Crossing> crossings, double width) {
   return flow;
 }
 
+std::optional<std::pair<double, double>> steady_span(const Flow& flow) {
+  const std::size_t n = flow.times.size();
+  if (n < 20) return std::nullopt;
+  return std::pair(flow.times[n / 5], flow.times[n * 4 / 5]);
+}
+
 std::vector<Vec2> flow_over_time(const Flow& flow, double step) {
   std::vector<Vec2> rows;
   if (flow.times.empty() || !(step > 0)) return rows;

@@ -1,4 +1,7 @@
 #pragma once
+#include <optional>
+#include <utility>
+
 #include "crowd/measures/recording.h"
 
 namespace inhabit::crowd {
@@ -34,6 +37,10 @@ struct Flow {
   double speed = kUnknown;        ///< mean speed of those crossings along the normal, metres per second
 };
 Flow flow(std::span<const Crossing> crossings, double width);
+
+/// The steady part of a run: while the middle three fifths of the people cross, seconds. Fundamental diagrams are those
+/// of steady flow; literature chooses the span by eye. Nothing for fewer than 20 people.
+std::optional<std::pair<double, double>> steady_span(const Flow& flow);
 
 /// People who crossed for the first time in each interval of `step` seconds, divided by step: the flow over time.
 std::vector<Vec2> flow_over_time(const Flow& flow, double step);

@@ -67,3 +67,11 @@ TEST_CASE("a gap in a track is not bridged") {
   CHECK(crossings(Recording(t), {{0, 1}, {0, -1}}).empty());
   CHECK(crossings(Recording(t), {{0, 1}, {0, -1}}, 10).size() == 1);
 }
+
+TEST_CASE("a run is steady while the middle three fifths cross") {
+  Flow f;
+  for (int k = 0; k < 19; ++k) f.times.push_back(k);
+  CHECK(!steady_span(f));
+  f.times.push_back(19);
+  CHECK(steady_span(f) == std::pair(4.0, 16.0));
+}

@@ -8,10 +8,10 @@
 
 namespace inhabit::crowd {
 
-std::vector<FundamentalPoint> fundamental_points(std::span<const AreaRow> rows, int every) {
+std::vector<FundamentalPoint> fundamental_points(std::span<const AreaRow> rows, double from, double until) {
   std::vector<FundamentalPoint> points;
   for (const AreaRow& row : rows)
-    if (row.density > 0 && known(row.speed) && row.frame % std::max(every, 1) == 0)
+    if (row.density > 0 && known(row.speed) && row.seconds >= from && row.seconds <= until)
       points.push_back({row.density, row.speed});
   return points;
 }

@@ -9,9 +9,9 @@ struct FundamentalPoint {
   double speed = 0;    ///< metres per second
 };
 
-/// The rows that have people and a speed. `every`: only frames that are multiples of it, since neighbouring frames say
-/// the same.
-std::vector<FundamentalPoint> fundamental_points(std::span<const AreaRow> rows, int every = 1);
+/// The rows that have people and a speed, between two times in seconds.
+std::vector<FundamentalPoint> fundamental_points(std::span<const AreaRow> rows, double from = -1e300,
+                                                 double until = 1e300);
 
 /// Points with low <= density < low + width, for each such slice of the density that has any.
 struct DensityBin {

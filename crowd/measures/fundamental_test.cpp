@@ -48,5 +48,6 @@ TEST_CASE("curves are compared where both are known") {
 TEST_CASE("frames without people give no point") {
   const std::vector<AreaRow> rows = {{0, 0, 0, 0, kUnknown}, {5, 0.5, 2, 1.0, 0.8}, {6, 0.6, 2, 1.0, 0.9}};
   CHECK(fundamental_points(rows).size() == 2);
-  CHECK(fundamental_points(rows, 5).size() == 1);
+  CHECK(fundamental_points(rows, 0.55).size() == 1);
+  CHECK(fundamental_points(rows, 0, 0.45).empty());
 }
