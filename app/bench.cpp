@@ -50,8 +50,9 @@ std::function<int()> set_up_bench(CLI::App& verb) {
   verb.add_option("--max-seats", b->options.max_seats, "growth: the largest theatre, up to 100000")
       ->check(CLI::Range(25, 100000))
       ->capture_default_str();
-  verb.add_option("--data", b->options.data,
-                  "rooms: folder that holds rooms/ (or the environment variable INHABIT_DATA)")
+  verb.add_option(
+          "--data", b->options.data,
+          "rooms, measures: folder that holds rooms/ and pedestrians/ (or the environment variable INHABIT_DATA)")
       ->type_name("DIR");
   verb.add_option("--scheme", b->scheme, "gauss-seidel or averaged")
       ->check(CLI::IsMember({"gauss-seidel", "averaged"}))

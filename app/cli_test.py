@@ -35,7 +35,7 @@ def fails(*arguments):
 
 def test_help(folder):
     assert "furnish" in run("--help").stdout
-    for verb in ("furnish", "check", "simulate", "scenes", "render", "convert", "bench"):
+    for verb in ("furnish", "check", "simulate", "scenes", "render", "convert", "measure", "bench"):
         text = run(verb, "--help").stdout
         assert f"inhabit {verb}" in text and "Example" in text, text
     assert run("--version").stdout.startswith("inhabit ")
@@ -242,6 +242,27 @@ def test_homes(folder):
     assert result.returncode in (0, 1), result.stderr
     assert (folder / "home.sh3d").read_bytes().startswith(b"PK")
     assert "--room" in fails("convert", homes[0], folder / "home.json", "--quiet")
+
+
+def test_measure(folder):
+    """Walkers in a row through a corridor, by every way out; places and files that are none are refused."""
+    walk = folder / "walk.txt"
+    rows = [f"{p} {f} {1.2 * (f / 10 - p):.4f} {0.5 + p % 3 * 0.3:.4f} 1.7" for p in range(1, 12) for f in range(10 * p, 10 * p + 80)]
+    walk.write_text("# framerate: 10 fps\n# id frame x/m y/m z/m\n" + "\n".join(rows) + "\n")
+    text = run("measure", walk, "--line", "4,2,4,-1", "--area", "3,0,5,1.6").stdout
+    assert "specific flow" in text and "11" in text, text
+    report = json.loads(run("measure", walk, "--line", "4,2,4,-1", "--json").stdout)
+    assert report["flow"]["forward"] == 11 and abs(report["flow"]["flow"] - 1) < 1e-3, report["flow"]
+    assert report["people"] == 11 and abs(report["speed"]["median"] - 1.2) < 1e-3
+    run("measure", walk, "-q", "--plots", folder / "plots", "--csv", folder / "rows")
+    assert len(list((folder / "plots").glob("*.svg"))) == 7 and len(list((folder / "rows").glob("*.csv"))) == 7
+    assert "--line" in fails("measure", walk, "--line", "1,1")
+    assert "--area" in fails("measure", walk, "--area", "nonsense")
+    assert "nobody" in fails("measure", walk, "--from", "1000")
+    fails("measure", folder / "nothing.txt")
+    fails("measure", walk, "--scene", folder / "nothing.json")
+    fails("measure", walk, "--plots", folder / "no" / "such")
+    assert fails("measure", walk, "--reference", walk)
 
 
 def test_interrupt(folder):

@@ -22,6 +22,7 @@ constexpr std::array kVerbs = {
     Verb{"scenes", "List the built-in scenes, or print one", set_up_scenes},
     Verb{"render", "Draw a plan", set_up_render},
     Verb{"convert", "Read one format and write another, by extension", set_up_convert},
+    Verb{"measure", "Say where and how people walked: density, speed, flow, collisions", set_up_measure},
     Verb{"bench", "Measure what the papers published, here", set_up_bench},
 };
 

@@ -89,4 +89,22 @@ std::vector<Ring> convex_parts(std::span<const Vec2> ring) {
   return parts.empty() ? std::vector<Ring>{whole} : parts;
 }
 
+Ring convex_hull(std::vector<Vec2> points) {
+  std::ranges::sort(points, {}, [](Vec2 p) { return std::pair(p.x, p.y); });
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3) return points;
+  Ring ring;
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t base = ring.size();
+    for (const Vec2 p : points) {
+      while (ring.size() >= base + 2 && cross(ring.back() - ring[ring.size() - 2], p - ring.back()) <= 0)
+        ring.pop_back();
+      ring.push_back(p);
+    }
+    ring.pop_back();
+    std::ranges::reverse(points);
+  }
+  return ring;
+}
+
 }  // namespace inhabit::geometry

@@ -16,6 +16,10 @@ std::vector<Ring> convex_parts(std::span<const Vec2> ring);
 
 bool is_convex(std::span<const Vec2> ring);
 
+/// The smallest convex ring round the points, counter-clockwise, without corners that do not turn (Andrew's monotone
+/// chain). Fewer than three corners when all points lie on a line.
+Ring convex_hull(std::vector<Vec2> points);
+
 /// The ring counter-clockwise.
 Ring counter_clockwise(Ring ring);
 

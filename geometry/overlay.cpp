@@ -88,6 +88,16 @@ std::vector<Area> difference(const std::vector<Area>& areas, std::span<const Rin
   return areas_of(geos, geos.minus(geos.united(std::move(kept)), united(geos, taken)), tolerance);
 }
 
+std::vector<Area> intersection(const std::vector<Area>& areas, std::span<const Vec2> ring, double tolerance) {
+  const Geos geos;
+  std::vector<Geos::Shape> parts;
+  for (const Area& area : areas) parts.push_back(shape_of(geos, area));
+  const Geos::Shape all = parts.size() == 1 ? std::move(parts.front()) : geos.united(std::move(parts));
+  const Geos::Shape cut = geos.polygon(ring);
+  if (!all || !cut) return {};
+  return areas_of(geos, geos.own(GEOSIntersection_r(geos.get(), all.get(), cut.get())), tolerance);
+}
+
 std::vector<Area> smooth_difference(std::span<const Vec2> subject, std::span<const Ring> taken, double sliver) {
   const Geos geos;
   Geos::Shape shape = geos.minus(geos.polygon(subject), united(geos, taken));

@@ -21,6 +21,9 @@ double area_outside(std::span<const Vec2> ring, std::span<const Vec2> outline);
 /// Corners that lie within `tolerance` of the line between their neighbours are dropped.
 std::vector<Area> difference(const std::vector<Area>& areas, std::span<const Ring> taken, double tolerance);
 
+/// The parts of the areas' union that lie in `ring`, largest first; rings and `tolerance` as for difference().
+std::vector<Area> intersection(const std::vector<Area>& areas, std::span<const Vec2> ring, double tolerance);
+
 /// `subject` without everything in `taken`, largest part first. Notches, spikes and gaps narrower than 2 * `sliver`
 /// metres are dropped, corners are kept by mitring.
 std::vector<Area> smooth_difference(std::span<const Vec2> subject, std::span<const Ring> taken, double sliver);

@@ -55,22 +55,28 @@ Bounds bounds(std::span<const Vec2> ring) {
   return b;
 }
 
-double overlap_area(const Box& box, std::span<const Vec2> convex) {
-  const auto start = box.corners();
-  Ring in(start.begin(), start.end()), out;
-  for (std::size_t k = 0; k < convex.size() && !in.empty(); ++k) {
+Ring clipped(Ring ring, std::span<const Vec2> convex) {
+  Ring out;
+  for (std::size_t k = 0; k < convex.size() && !ring.empty(); ++k) {
     const Vec2 a = convex[k], e = convex[(k + 1) % convex.size()] - a;
     out.clear();
-    for (std::size_t i = 0; i < in.size(); ++i) {
-      const Vec2 p = in[i], q = in[(i + 1) % in.size()];
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2 p = ring[i], q = ring[(i + 1) % ring.size()];
       const double sp = cross(e, p - a), sq = cross(e, q - a);
       if (sp >= 0) out.push_back(p);
       if ((sp > 0 && sq < 0) || (sp < 0 && sq > 0)) out.push_back(p + (sp / (sp - sq)) * (q - p));
     }
-    in.swap(out);
+    ring.swap(out);
   }
+  return ring;
+}
+
+double overlap_area(std::span<const Vec2> ring, std::span<const Vec2> convex) {
+  const Ring in = clipped({ring.begin(), ring.end()}, convex);
   return in.size() < 3 ? 0 : std::abs(signed_area(in));
 }
+
+double overlap_area(const Box& box, std::span<const Vec2> convex) { return overlap_area(box.corners(), convex); }
 
 std::optional<std::string> why_not_simple(std::span<const Vec2> ring) {
   if (ring.size() < 3) return "an outline needs at least three corners, this one has " + std::to_string(ring.size());

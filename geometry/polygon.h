@@ -48,7 +48,12 @@ struct Bounds {
 };
 Bounds bounds(std::span<const Vec2> ring);
 
-/// Area of the part of `box` that lies in the convex, counter-clockwise ring (Sutherland-Hodgman clipping).
+/// The part of `ring` that lies in the convex, counter-clockwise ring (Sutherland-Hodgman clipping). Where it falls
+/// into several pieces, they are joined by sides of no area along the convex ring, so that its area is right all the
+/// same.
+Ring clipped(Ring ring, std::span<const Vec2> convex);
+/// Area of the part of `ring` that lies in the convex, counter-clockwise ring.
+double overlap_area(std::span<const Vec2> ring, std::span<const Vec2> convex);
 double overlap_area(const Box& box, std::span<const Vec2> convex);
 /// Area that two boxes share.
 inline double overlap_area(const Box& a, const Box& b) {

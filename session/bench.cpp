@@ -17,6 +17,7 @@ std::vector<BenchGroupRow> bench_groups() {
       {"residuals", "what every kind of constraint misses by", bench_residuals},
       {"memory", "bytes per object beyond the scene", bench_memory},
       {"rooms", "real homes, stripped and furnished again (needs the data folder)", bench_rooms},
+      {"measures", "recordings of people measured, beside published curves (needs the data folder)", bench_measures},
   };
 }
 

@@ -16,7 +16,7 @@ using namespace core;
 struct BenchOptions {
   int seeds = 100;
   int max_seats = 3200;    ///< growth: the largest theatre
-  std::string data;        ///< rooms: the folder that holds `rooms/`
+  std::string data;        ///< rooms, measures: the folder that holds `rooms/` and `pedestrians/`
   layout::Options layout;  ///< method, scheme, start; seed, starts and threads are the bench's own
   Progress progress;
   const Cancel* cancel = nullptr;
@@ -59,6 +59,7 @@ Result<BenchGroup> bench_interactive(const BenchOptions& options);
 Result<BenchGroup> bench_residuals(const BenchOptions& options);
 Result<BenchGroup> bench_memory(const BenchOptions& options);
 Result<BenchGroup> bench_rooms(const BenchOptions& options);
+Result<BenchGroup> bench_measures(const BenchOptions& options);
 
 /// One scene furnished from seeds 1 … `seeds`.
 struct BenchRuns {

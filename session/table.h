@@ -3,6 +3,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/statistics.h"
+
 namespace inhabit::session {
 
 /// One value of a table: nothing (printed as "-", null in JSON), text, a number, a truth.
@@ -40,9 +42,7 @@ std::string table_text(const Table& table);
 /// `{"id": …, "title": …, "rows": [{"column": value, …}], "notes": […]}`, numbers in full.
 std::string table_json(const Table& table);
 
-/// Value below which `share` of the values lie (the smallest one that so many do not exceed); the mean of the two
-/// middle ones for the median of an even count; 0 for no values.
-double quantile(std::vector<double> values, double share);
-inline double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
+using core::median;
+using core::quantile;
 
 }  // namespace inhabit::session
