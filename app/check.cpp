@@ -17,7 +17,7 @@ struct Check {
 
 constexpr const char* kFooter =
     "Depths are metres, shares 0 to 1, residuals metres or degrees. Exit code 1: something overlaps or stands "
-    "outside,\nor a constraint is not kept (by more than 5 cm or 5 degrees).\n"
+    "outside,\nor a constraint is not kept (by more than 5 cm or 5 degrees) in a scene without \"house_rules\".\n"
     "Examples:\n"
     "  inhabit check room.json\n"
     "  inhabit check home.sh3d --json --metrics published";

@@ -67,6 +67,8 @@ def test_errors(folder):
     fails("render", "living-room", "-o", folder / "room.txt")
     fails("furnish", "living-room", "--svg", folder / "room.png")
     fails("furnish", "living-room", "--room", "Kitchen")
+    assert "--line is for ProcTHOR" in fails("check", "living-room", "--line", 2)
+    assert "--assets is for ProcTHOR" in fails("furnish", "living-room", "--assets", folder / "nothing.json")
     fails("furnish", "living-room", "-o", folder / "no" / "such" / "folder.json", "--quiet")
 
 
@@ -221,6 +223,36 @@ def test_trajectories(folder):
     help_text = run("convert", "--help").stdout
     assert "--homography" in help_text and ".sqlite" in help_text and "Vadere" in help_text
     assert not list(folder.glob("*.part-*"))
+
+
+def test_rooms(folder):
+    """Several rooms do not fit where there is place for one; the error names them."""
+    home = folder / "home.xml"
+    corners = ["".join(f"<point x='{x + k * 400}' y='{y}'/>" for x, y in ((0, 0), (300, 0), (300, 300), (0, 300))) for k in (0, 1)]
+    home.write_text(f"<home><room name='Hall'>{corners[0]}</room><room name='Bath'>{corners[1]}</room></home>")
+    for verb in (["convert", home, folder / "out.json"], ["furnish", home, "-o", folder / "out.json"]):
+        assert "choose one with --room: Hall, Bath" in fails(*verb)
+    run("convert", home, folder / "out.json", "--room", "Bath")
+    assert json.loads((folder / "out.json").read_text())["name"] == "Bath"
+
+
+def test_house_rules(folder):
+    """What nobody asked for may be missed, where it is furnished and where its file is checked."""
+    room = {"outline": [[0, 0], [4, 0], [4, 4], [0, 4]]}
+    # Every wall is taken: the wardrobe cannot stand at one.
+    shelves = [{"id": f"shelf-{k}", "kind": "bookcase", "size": [3.3, 0.3, 2], "position": [x, y, 0], "angle": angle, "fixed": True}
+               for k, (x, y, angle) in enumerate(((2, 0.15, 90), (3.85, 2, 180), (2, 3.85, -90), (0.15, 2, 0)))]
+    things = [*shelves, {"id": "closet", "kind": "wardrobe", "size": [1.5, 0.6, 2]}]
+    scene, out = folder / "scene.json", folder / "out.json"
+    scene.write_text(json.dumps({"format": "inhabit-scene", "version": 1, "space": room, "objects": things}))
+    assert "house rules, which may be missed" in run("furnish", scene, "--house-rules", "-o", out).stdout
+    written = json.loads(out.read_text())
+    assert written["house_rules"] is True and written["constraints"]
+    assert "house rules, which may be missed" in run("check", out).stdout
+    run("furnish", out, "-q")
+    del written["house_rules"]
+    out.write_text(json.dumps(written))
+    run("check", out, "-q", code=1)
 
 
 def test_render(folder):

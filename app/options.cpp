@@ -14,7 +14,7 @@ void add_scene(CLI::App& verb, SceneArgument& scene) {
   verb.add_option("--assets", scene.options.asset_database,
                   "ProcTHOR houses: their asset-database.json, which has the sizes")
       ->type_name("FILE");
-  verb.add_option("--line", scene.options.line, "Only this house of a file with one per line, from 1; 0 = all")
+  verb.add_option("--line", scene.options.line, "ProcTHOR houses, one per line: only this one, from 1; 0 = all")
       ->check(not_negative, "")
       ->capture_default_str();
 }

@@ -4,8 +4,16 @@
 #include <optional>
 #include <string_view>
 
-/// For tests only: real files that do not belong to the project.
+/// For tests only: real files that do not belong to the project, and how much a build can do.
 namespace inhabit::core {
+
+/// Whether a sanitizer makes the build ten or more times slower. A large input may then be a smaller one, and a long
+/// row of inputs a shorter one, where the test still sees the same property.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool kSlowBuild = true;
+#else
+inline constexpr bool kSlowBuild = false;
+#endif
 
 /// `relative` in the data folder: the environment variable INHABIT_DATA, or ../shared/data beside the source tree or
 /// beside the folder that holds it. Nothing when it is not there; then say so and skip the test.

@@ -95,7 +95,7 @@ constexpr Format kFormats[] = {
     {"geojson", "geojson", is_geojson, [](std::string_view b, const ReadOptions&) { return content(read_geojson(b)); },
      nullptr, false, "floor plans and WRLD indoor maps"},
     {"procthor", "json jsonl", is_procthor, read_procthor_file, nullptr, false,
-     "ProcTHOR / AI2-THOR houses, one or one per line"},
+     "ProcTHOR / AI2-THOR houses, one or one per line", true},
 };
 
 bool has_extension(const Format& format, std::string_view extension) {
@@ -105,6 +105,13 @@ bool has_extension(const Format& format, std::string_view extension) {
     rest.remove_prefix(std::min(space + 1, rest.size()));
   }
   return false;
+}
+/// An option without a meaning would be ignored, and the whole file taken for the part that was asked for.
+Status options_fit(const Format& format, const ReadOptions& options) {
+  if (format.houses || (options.asset_database.empty() && options.line == 0)) return Done{};
+  return invalid("", (options.line != 0 ? "--line" : "--assets") +
+                         std::string(" is for ProcTHOR houses, and this is another format: ") +
+                         std::string(format.name));
 }
 std::string extension_of(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
@@ -137,7 +144,10 @@ Result<Content> read_any_bytes(std::string_view bytes, std::string_view name, co
   const std::string extension = extension_of(name);
   if (format == std::end(kFormats))
     format = std::ranges::find_if(kFormats, [&](const Format& f) { return has_extension(f, extension); });
-  if (format != std::end(kFormats)) return format->read(bytes, options);
+  if (format != std::end(kFormats)) {
+    if (const Status fit = options_fit(*format, options); !fit) return fit.error();
+    return format->read(bytes, options);
+  }
   std::string known;
   for (const Format& f : kFormats) known += (known.empty() ? "" : ", ") + std::string(f.name);
   return Error{ErrorCode::unsupported, "none of the known formats: " + known, ""};

@@ -12,6 +12,7 @@
 /// Every format that spaces and furnished rooms are read from and written to.
 namespace inhabit::io {
 
+/// For formats with `houses`; an error for all others.
 struct ReadOptions {
   /// ProcTHOR's asset-database.json, without which its houses have no sizes.
   std::filesystem::path asset_database;
@@ -35,6 +36,7 @@ struct Format {
   core::Result<std::string> (*write)(const Content& content);
   bool homes;  ///< holds several rooms when they come from one home
   std::string_view help;
+  bool houses = false;  ///< ReadOptions mean something to it
 };
 
 std::span<const Format> formats();

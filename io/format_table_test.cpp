@@ -92,6 +92,13 @@ TEST_CASE("a file is known by what is in it") {
   CHECK(home->scenes.front().name == "A");
 }
 
+TEST_CASE("options that a format has no use for are refused") {
+  CHECK(read_any_bytes(kFullScene, "a.json", {.line = 2}).error().message ==
+        "--line is for ProcTHOR houses, and this is another format: scene");
+  CHECK(read_any_bytes(gzip("POLYGON((0 0, 1 0, 0 1, 0 0))"), "a", {.asset_database = "a.json"}).error().message ==
+        "--assets is for ProcTHOR houses, and this is another format: wkt");
+}
+
 TEST_CASE("errors name the file") {
   const TemporaryFolder folder;
   const fs::path path = folder.path / "bad.json";

@@ -48,6 +48,7 @@ inline constexpr std::string_view kFullScene = R"({
     {"type": "orientation", "members": ["chair-1"], "to": "table", "angle": 10, "relative": "parallel"},
     {"type": "collision", "members": ["chair-1", "table"], "mode": "off"}
   ],
+  "house_rules": true,
   "crowd": {
     "populations": [{"id": "west", "count": 800, "area": [[0, 0], [20, 0], [20, 40], [0, 40]], "spacing": 2.5,
                      "jitter": 0.25, "radius": [0.5, 0.75], "mass": 2,

@@ -111,6 +111,7 @@ struct Scene {
   std::vector<Object> objects;
   std::vector<Group> groups;
   Constraints constraints;
+  bool house_rules = false;  ///< nobody asked for the constraints: they are the usual ones by kind, and may be missed
   Crowd crowd;
   std::uint64_t seed = 1;
   Extras extras;

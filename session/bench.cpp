@@ -16,6 +16,7 @@ std::vector<BenchGroupRow> bench_groups() {
       {"interactive", "solved again after one object is dragged", bench_interactive},
       {"residuals", "what every kind of constraint misses by", bench_residuals},
       {"memory", "bytes per object beyond the scene", bench_memory},
+      {"files", "reading, writing, checking and drawing up to 100,000 objects", bench_files},
       {"rooms", "real homes, stripped and furnished again (needs the data folder)", bench_rooms},
       {"measures", "recordings of people measured, beside published curves (needs the data folder)", bench_measures},
   };

@@ -58,6 +58,7 @@ Result<BenchGroup> bench_tight(const BenchOptions& options);
 Result<BenchGroup> bench_interactive(const BenchOptions& options);
 Result<BenchGroup> bench_residuals(const BenchOptions& options);
 Result<BenchGroup> bench_memory(const BenchOptions& options);
+Result<BenchGroup> bench_files(const BenchOptions& options);
 Result<BenchGroup> bench_rooms(const BenchOptions& options);
 Result<BenchGroup> bench_measures(const BenchOptions& options);
 

@@ -76,7 +76,8 @@ Result<std::string> write_document(const Document& document, std::string_view fi
     return Error{ErrorCode::unsupported, "no format that is written has this extension; these have: " + known, ""};
   }
   if (document.scenes.size() == 1 || (format->homes && document.home)) return format->write(document);
-  return invalid("", "holds one room; choose one with --room: " + room_names(document.scenes));
+  return invalid("", "a file of this format holds one room, and there are " + std::to_string(document.scenes.size()) +
+                         "; choose one with --room: " + room_names(document.scenes));
 }
 
 Status can_save(const std::string& path) { return io::can_write(path); }

@@ -33,7 +33,7 @@ Result<Document> open_document(const std::string& name, const OpenOptions& optio
 /// Bytes of any format of io/format_table.h.
 Result<Document> read_document(std::string_view file_name, std::string bytes, const OpenOptions& options = {});
 /// The document in the format that the file name's extension says. Errors: a format that is not written, several rooms
-/// for a format that holds one scene.
+/// for a format that holds one scene (it names them).
 Result<std::string> write_document(const Document& document, std::string_view file_name);
 
 /// The rooms called `names` alone, in document order; all of them when `names` is empty. Errors name the rooms there

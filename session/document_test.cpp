@@ -37,7 +37,7 @@ TEST_CASE("a format that holds one room refuses several") {
   document.scenes = {bedroom(), living_room()};
   const Result<std::string> bytes = write_document(document, "rooms.json");
   REQUIRE_FALSE(bytes.ok());
-  CHECK(bytes.error().message.find("--room") != std::string::npos);
+  CHECK(bytes.error().message.find("--room: bedroom, living-room") != std::string::npos);
   const std::vector<std::string> names = {"bedroom"};
   const Result<Document> one = only_rooms(document, names);
   REQUIRE(one.ok());

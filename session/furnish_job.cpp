@@ -39,8 +39,8 @@ Result<Layouts> find_layouts(const Scene& scene, const FurnishJob& job) {
 Result<FurnishedRoom> furnish_room(const Scene& original, const FurnishJob& job, bool& cancelled) {
   Scene scene = original;
   if (job.house_rules) layout::add_house_rules(scene);
+  scene.house_rules = scene.house_rules || scene.constraints.size() > original.constraints.size();
   FurnishedRoom room;
-  room.house_rules = scene.constraints.size() > original.constraints.size();
   room.name = scene.name;
   const auto begin = std::chrono::steady_clock::now();
   Result<Layouts> found = find_layouts(scene, job);
@@ -88,7 +88,8 @@ bool Furnished::feasible() const {
 
 bool Furnished::as_asked() const {
   return feasible() && std::all_of(rooms.begin(), rooms.end(), [](const FurnishedRoom& room) {
-           return room.house_rules || room.suggestions.front().report.violations.empty();
+           const Suggestion& best = room.suggestions.front();
+           return best.scene.house_rules || best.report.violations.empty();
          });
 }
 
@@ -129,7 +130,8 @@ std::string furnish_text(const Furnished& furnished) {
     if (room.error) text += room.name + ": not furnished: " + room.error->text() + "\n";
     for (std::size_t k = 0; k < room.suggestions.size(); ++k) {
       text += summary_line(room, k);
-      if (k == 0 || !room.suggestions[k].report.feasible) text += io::check_table(room.suggestions[k].report);
+      if (k == 0 || !room.suggestions[k].report.feasible)
+        text += check_text(room.suggestions[k].report, room.suggestions[k].scene.house_rules);
     }
   }
   if (furnished.cancelled) text += "interrupted: this is the best so far\n";

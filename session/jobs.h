@@ -30,7 +30,6 @@ struct FurnishedRoom {
   std::vector<Suggestion> suggestions;  ///< best first; empty when `error` says why
   std::vector<layout::TraceRow> trace;
   std::optional<Error> error;
-  bool house_rules = false;  ///< wishes by kind were added, which nobody asked for
   double seconds = 0;
 };
 
@@ -39,7 +38,8 @@ struct Furnished {
   bool cancelled = false;
   /// Every room has a suggestion that overlaps nothing and stays inside.
   bool feasible() const;
-  /// Feasible, and every constraint is kept to 5 cm and 5 degrees; rooms with house rules may miss some.
+  /// Feasible, and every constraint is kept to 5 cm and 5 degrees; scenes with `house_rules` may miss some. Checked
+  /// says the same of what document() gives.
   bool as_asked() const;
   /// The document with the k-th suggestion of every room (the last one where there are fewer).
   Document document(const Document& original, std::size_t k = 0) const;
@@ -55,12 +55,20 @@ std::string furnish_json(const Furnished& furnished, bool with_scenes);
 /// start,iteration,energy,overlap,feasible,relocated
 std::string trace_csv(const std::vector<layout::TraceRow>& trace);
 
+struct CheckedRoom {
+  std::string name;
+  layout::CheckReport report;
+  bool house_rules = false;  ///< the scene's
+};
+
 struct Checked {
-  std::vector<std::pair<std::string, layout::CheckReport>> rooms;
+  std::vector<CheckedRoom> rooms;
   bool feasible() const;
-  /// Feasible, and every constraint is kept to 5 cm and 5 degrees.
+  /// Feasible, and every constraint is kept to 5 cm and 5 degrees; scenes with `house_rules` may miss some.
   bool as_asked() const;
 };
+/// The table of one check for people, and whether what it misses counts.
+std::string check_text(const layout::CheckReport& report, bool house_rules);
 Checked check_job(const Document& document, const layout::CheckOptions& options);
 std::string check_text(const Checked& checked);
 /// For one scene exactly the object of scene.md; for several `{"rooms": [{"name": …, …}]}`.

@@ -28,7 +28,8 @@ TEST_CASE("a furnish job places everything and says how well") {
   const Result<Furnished> furnished = furnish_job(document, job);
   REQUIRE(furnished.ok());
   REQUIRE(furnished->rooms.size() == 1);
-  for (const Object& object : furnished->document(document).scenes[0].objects) CHECK(object.position.has_value());
+  const Document placed = furnished->document(document);
+  for (const Object& object : placed.scenes[0].objects) CHECK(object.position.has_value());
   CHECK(furnished->feasible() == furnished->rooms[0].suggestions[0].report.feasible);
   CHECK(furnish_text(*furnished).find("living-room") != std::string::npos);
   const auto json = nlohmann::json::parse(furnish_json(*furnished, true));

@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <chrono>
 #include <set>
 #include <string>
 
@@ -124,16 +123,14 @@ TEST_CASE("the tight scenes are tight") {
   CHECK(sizes.size() > 5);
 }
 
-TEST_CASE("the theatre grows with its seats and stays cheap to build") {
+TEST_CASE("the theatre grows with its seats, by a few constraints each") {
   for (const int seats : {1, 2, 25, 50, 100, 200, 400, 800, 1600, 3200, 100000}) {
     CAPTURE(seats);
-    const auto begin = std::chrono::steady_clock::now();
     const Scene scene = theater_1(seats);
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     CHECK(static_cast<int>(scene.objects.size()) == seats + 1);
     if (seats >= 25) CHECK(floor_coverage(scene) > 0.15);
     CHECK(floor_coverage(scene) < 0.5);
-    CHECK(took.count() < 2);
+    CHECK(scene.constraints.size() <= 4 * scene.objects.size());
     const Vec2 size = scene.space.outline[2];
     MESSAGE(seats, " seats: ", scene.constraints.of<FocalDistance>().size(), " tiers, ", size.x, " m x ", size.y,
             " m, coverage ", floor_coverage(scene));

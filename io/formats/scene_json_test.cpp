@@ -2,8 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include <chrono>
-
+#include "core/test_data.h"
 #include "io/scene_examples.h"
 
 using namespace inhabit::io;
@@ -282,10 +281,11 @@ TEST_CASE("hostile documents are refused with a place") {
     CHECK_FALSE(read_scene(kFullScene.substr(0, size)).ok());
 }
 
-TEST_CASE("a hundred thousand objects are read in about a second") {
+TEST_CASE("a hundred thousand objects come back as they were, in so many bytes each") {
+  constexpr int kObjects = inhabit::core::kSlowBuild ? 10000 : 100000;
   Scene scene;
   scene.space.outline = {{0, 0}, {1000, 0}, {1000, 1000}, {0, 1000}};
-  for (int i = 0; i < 100000; ++i) {
+  for (int i = 0; i < kObjects; ++i) {
     Object o;
     o.id = "object-" + std::to_string(i);
     o.kind = "chair", o.size = {0.45, 0.5, 0.9};
@@ -293,15 +293,10 @@ TEST_CASE("a hundred thousand objects are read in about a second") {
     o.angle = radians(i % 360), o.clearance.front = 0.4;
     scene.objects.push_back(std::move(o));
   }
-  const auto start = std::chrono::steady_clock::now();
   const std::string text = write_scene(scene);
-  const auto written = std::chrono::steady_clock::now();
   const auto again = read_scene(text);
-  const auto end = std::chrono::steady_clock::now();
   REQUIRE(again.ok());
   CHECK(*again == scene);
-  const std::chrono::duration<double> write_time = written - start, read_time = end - written;
-  MESSAGE("100,000 objects, ", text.size(), " bytes: written in ", write_time.count(), " s, read in ",
-          read_time.count(), " s");
-  CHECK(read_time.count() < 10);  // generous, since machines are shared and sanitizers slow
+  // Some 195 bytes each as they are laid out, and no more because there are many.
+  CHECK(text.size() < 210 * scene.objects.size());
 }

@@ -262,6 +262,9 @@ struct Table<Scene> {
       Member{"objects", &Scene::objects, {"what stands in it"}},
       Member{"groups", &Scene::groups, {"what belongs together"}},
       Member{"constraints", &Scene::constraints, {"the rules of the arrangement"}},
+      Member{"house_rules",
+             &Scene::house_rules,
+             {"the constraints are the usual ones by kind, wishes that an arrangement may miss"}},
       Member{"crowd", &Scene::crowd, {"the people in it"}},
       Member{"seed", &Scene::seed, {"the source of every random choice", "", 0, 1.8446744073709552e19}}};
 };

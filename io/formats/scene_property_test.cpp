@@ -17,7 +17,7 @@ class RandomScene {
 
   Scene make() {
     Scene s;
-    s.name = text(), s.seed = rng_.next(), s.extras = extras();
+    s.name = text(), s.seed = rng_.next(), s.house_rules = coin(), s.extras = extras();
     s.space.outline = star({0, 0}, std::pow(10, rng_.uniform(0.5, 4)));
     s.space.height = rng_.uniform(1, 9);
     for (std::uint32_t i = rng_.index(4); i > 0; --i) s.space.doors.push_back(opening(s.space, Door{id()}));

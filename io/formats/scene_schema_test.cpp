@@ -11,6 +11,7 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
+#include "core/test_data.h"
 #include "io/formats/scene_json.h"
 #include "io/scene_examples.h"
 
@@ -87,8 +88,12 @@ TEST_CASE("what the reader accepts the schema accepts and what the schema refuse
   // one.
   const std::vector<Json> foreign = {nullptr,       true,           -1,     1.5,         20000000, "x", "",
                                      Json::array(), Json::object(), {1, 2}, {{"x-a", 1}}};
-  std::size_t refused = 0, stricter = 0, accepted = 0;
+  std::size_t refused = 0, stricter = 0, accepted = 0, met = 0;
+  // Under a sanitizer the validator takes minutes: then every seventh, so that every place still meets something
+  // foreign and every foreign value some place.
+  constexpr std::size_t kEvery = inhabit::core::kSlowBuild ? 7 : 1;
   const auto compare = [&](const Json& scene, const std::string& where) {
+    if (met++ % kEvery != 0) return;
     const bool by_schema = schema.accepts(scene), by_reader = read_scene(scene.dump()).ok();
     CHECK_MESSAGE((by_schema || !by_reader), where, ": only the schema refuses ", scene.dump());
     ++(by_schema ? (by_reader ? accepted : stricter) : refused);
@@ -109,7 +114,7 @@ TEST_CASE("what the reader accepts the schema accepts and what the schema refuse
     compare(scene, where.to_string() + " taken away");
   });
   MESSAGE(refused, " refused by both, ", stricter, " by the reader alone (names, geometry), ", accepted, " accepted");
-  CHECK(refused > 2000);
+  CHECK(refused > 2000 / kEvery);
 }
 
 TEST_CASE("the reader alone refuses only names and geometry") {
