@@ -57,8 +57,7 @@ void index_terms(Problem& p) {
 void trim(Problem& p) {
   for_each_type(TermTypes{},
                 [&]<class T>(std::type_identity<T>) { std::get<std::vector<T>>(p.terms).shrink_to_fit(); });
-  for (auto& list : p.origins) list.shrink_to_fit();
-  p.zones.shrink_to_fit(), p.zone_owner.shrink_to_fit(), p.touching.shrink_to_fit(), p.touching_first.shrink_to_fit();
+  p.zones.shrink_to_fit(), p.touching.shrink_to_fit(), p.touching_first.shrink_to_fit();
   p.data.bodies.shrink_to_fit(), p.data.boxes.shrink_to_fit(), p.data.riders.shrink_to_fit(), p.start.shrink_to_fit();
   for (GroupData& g : p.data.groups) g.bodies.shrink_to_fit();
   for (CenterTerm& c : std::get<std::vector<CenterTerm>>(p.terms)) c.members.shrink_to_fit(), c.masses.shrink_to_fit();
@@ -67,7 +66,7 @@ void trim(Problem& p) {
 
 }  // namespace
 
-Result<Problem> compile(const Scene& scene) {
+Result<Problem> compile(const Scene& scene, Origins* origins) {
   Problem p(scene);
   if (const Status s = build_bodies(scene, p); !s) return s.error();
   for (std::size_t b = 0; b < p.data.bodies.size(); ++b) {
@@ -77,7 +76,7 @@ Result<Problem> compile(const Scene& scene) {
                      "\"" + o.id + "\" is fixed but has no position");
     }
   }
-  expand_constraints(scene, p);
+  expand_constraints(scene, p, origins);
   index_terms(p);
   find_followers(p);
   trim(p);

@@ -8,7 +8,9 @@ namespace {
 /// Turns the document's constraints into terms: the `Out` of layout/constraint.h.
 class Expansion {
  public:
-  Expansion(const Scene& scene, Problem& problem) : scene_(scene), p_(problem) { link_partners(); }
+  Expansion(const Scene& scene, Problem& problem, Origins* origins) : scene_(scene), p_(problem), origins_(origins) {
+    link_partners();
+  }
 
   Anchor anchor(Ref r) const {
     if (r.kind == Ref::Kind::object) {
@@ -94,12 +96,11 @@ class Expansion {
   void add(T term, Ref a, Ref b) {
     term.slot = slot({T::kTraits.schedule, current_->stiffness.value_or(T::kTraits.stiffness)});
     term.gamma = current_->weight.value_or(T::kTraits.gamma);
-    std::size_t type = 0, k = 0;
+    std::size_t k = 0;
     for_each_type(TermTypes{}, [&]<class U>(std::type_identity<U>) {
-      if constexpr (std::is_same_v<T, U>) type = k;
+      if (std::is_same_v<T, U> && origins_ != nullptr) (*origins_)[k].push_back({type_, a, b});
       ++k;
     });
-    p_.origins[type].push_back({type_, a, b});
     std::get<std::vector<T>>(p_.terms).push_back(std::move(term));
   }
   void add_zone(Zone z, Ref owner, const Members& only, const Strength* s) {
@@ -115,7 +116,6 @@ class Expansion {
     std::ranges::sort(z.only);
     std::ranges::sort(z.exempt);
     p_.zones.push_back(std::move(z));
-    p_.zone_owner.push_back(owner);
   }
 
   void run() {
@@ -243,6 +243,7 @@ class Expansion {
 
   const Scene& scene_;
   Problem& p_;
+  Origins* origins_;
   const Strength* current_ = nullptr;
   std::string_view type_;
   int off_sets_ = 0, sphere_sets_ = 0;
@@ -251,8 +252,8 @@ class Expansion {
 
 }  // namespace
 
-void expand_constraints(const Scene& scene, Problem& problem) {
-  Expansion expansion(scene, problem);
+void expand_constraints(const Scene& scene, Problem& problem, Origins* origins) {
+  Expansion expansion(scene, problem, origins);
   problem.collision_slot = expansion.slot({pbd::Schedule::increasing, 0.8});
   expansion.run();
   std::ranges::sort(problem.off_pairs);

@@ -7,11 +7,13 @@
 /// A scene made ready for the solver: particles, terms, zones. Compiled once, shared by all starts, never changed.
 namespace inhabit::layout {
 
-/// Where a term comes from, for reports.
+/// Where a term comes from.
 struct Origin {
   std::string_view type;
   Ref a, b;
 };
+/// Of every term, by its type's place in TermTypes and its index. Reports want them; the solver does not carry them.
+using Origins = std::array<std::vector<Origin>, TermTypes::size>;
 
 template <class... T>
 std::tuple<std::vector<T>...> term_arrays(TypeList<T...>);
@@ -33,9 +35,7 @@ struct Problem {
   Room room;
   Bodies data;
   decltype(term_arrays(TermTypes{})) terms;
-  std::array<std::vector<Origin>, TermTypes::size> origins;
   std::vector<Zone> zones;
-  std::vector<Ref> zone_owner;
   std::vector<StiffnessSlot> slots;
   /// Sets that do not collide with themselves are bits of BoxData::off; from this one on they share the last bit and
   /// stand in `off_pairs`, sorted, both ways round. (Of `sphere` sets the last bit is all: pairs of two of them are
@@ -64,13 +64,13 @@ struct Problem {
   const std::vector<T>& of() const {
     return std::get<std::vector<T>>(terms);
   }
-  /// Calls f(term, origin) for each term, type by type.
+  /// Calls f(term, id) for each term, type by type.
   template <class F>
   void for_each_term(F&& f) const {
-    std::size_t type = 0;
+    std::uint16_t type = 0;
     for_each_type(TermTypes{}, [&]<class T>(std::type_identity<T>) {
       const auto& list = of<T>();
-      for (std::size_t i = 0; i < list.size(); ++i) f(list[i], origins[type][i]);
+      for (std::uint32_t i = 0; i < list.size(); ++i) f(list[i], TermId{type, i});
       ++type;
     });
   }
@@ -108,7 +108,8 @@ struct Problem {
 };
 
 /// Errors: a rigid group without its members' positions, stacks that contain themselves, a fixed object without a pose.
-Result<Problem> compile(const Scene& scene);
+/// Fills `origins` when there is one.
+Result<Problem> compile(const Scene& scene, Origins* origins = nullptr);
 
 /// The pose of every object and group of the scene in this state.
 struct Placement;

@@ -7,14 +7,16 @@ namespace inhabit::layout {
 
 Residuals residuals(const Scene& scene) {
   Residuals out;
-  const Result<Problem> compiled = compile(scene);
+  Origins origins;
+  const Result<Problem> compiled = compile(scene, &origins);
   if (!compiled) return out;
   const Problem& p = *compiled;
   if (!std::ranges::all_of(p.has_start, [](bool b) { return b; })) return out;
   State x(p.data, p.room);
   for (std::uint32_t b = 0; b < p.data.bodies.size(); ++b) x.place(b, p.start[b].p, p.start[b].angle);
   double squares = 0;
-  p.for_each_term([&]<class T>(const T& term, const Origin& origin) {
+  p.for_each_term([&]<class T>(const T& term, TermId id) {
+    const Origin& origin = origins[id.type][id.index];
     if constexpr (std::is_same_v<T, CurveTerm>) {
       for_each_residual(term, x, [&](std::string_view type, double e, std::uint32_t i, std::uint32_t j) {
         const auto& members = scene.groups[term.group].members;

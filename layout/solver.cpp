@@ -202,7 +202,7 @@ void Solver::iterate() {
 
 double Solver::total_gamma() const {
   double sum = 0;
-  p_.for_each_term([&](const auto& term, const Origin&) { sum += term.gamma; });
+  p_.for_each_term([&](const auto& term, TermId) { sum += term.gamma; });
   return sum;
 }
 
