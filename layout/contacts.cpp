@@ -186,7 +186,7 @@ void Contacts::score(const State& x, Score& s, double& squares) const {
     const double depth = zone_separation(z, box, x, false).depth;
     if (depth <= 0) continue;
     s.slack = std::max(s.slack, depth);
-    squares += z.gamma * depth * depth;
+    squares += p_.gamma(z) * depth * depth;
   }
 }
 

@@ -27,7 +27,7 @@ Placer::Placer(const Problem& problem, State& x) : p_(problem), x_(x) {
   for (std::uint32_t t = 0; t < centers.size(); ++t) {
     for (std::size_t i = 0; i < centers[t].members.size(); ++i) {
       const Anchor& a = centers[t].members[i];
-      if (!a.group()) shares.emplace_back(a.body, Share{t, centers[t].masses[i], a});
+      if (!a.group()) shares.emplace_back(a.body, Share{t, static_cast<std::uint32_t>(i)});
     }
   }
   shares_ = Lists<Share>(n, shares);
@@ -84,8 +84,10 @@ void Placer::reset(const std::vector<bool>& placed) {
 
 void Placer::count_centers(std::uint32_t body, double sign) {
   for (const Share& s : shares_[body]) {
-    center_sum_[s.term] += sign * s.mass * x_.position(s.anchor);
-    center_mass_[s.term] += sign * s.mass;
+    const CenterTerm& c = p_.of<CenterTerm>()[s.term];
+    const double mass = c.masses[s.member];
+    center_sum_[s.term] += sign * mass * x_.position(c.members[s.member]);
+    center_mass_[s.term] += sign * mass;
   }
 }
 
@@ -163,7 +165,7 @@ double Placer::pair_cost(std::uint32_t a, std::uint32_t b) const {
           continue;
         if (p_.data.boxes[j].low >= zone.high || zone.low >= p_.data.boxes[j].high) continue;
         const double d = zone_separation(zone, x_.boxes[j], x_, false).depth;
-        if (d > 0) sum += zone.gamma * d * d;
+        if (d > 0) sum += p_.gamma(zone) * d * d;
       }
     }
   };
@@ -185,7 +187,7 @@ double Placer::border_cost(std::uint32_t body) const {
       if (!near({zone_center(zone, x_)}, zone.radius, x_.boxes[i], p_.data.boxes[i].radius) || !zone.concerns(i))
         continue;
       const double depth = zone_separation(zone, x_.boxes[i], x_, false).depth;
-      if (depth > 0) sum += zone.gamma * depth * depth;
+      if (depth > 0) sum += p_.gamma(zone) * depth * depth;
     }
   }
   return sum;
@@ -197,11 +199,11 @@ double Placer::center_cost(std::uint32_t body) const {
   for (const Share& s : shares_[body]) {
     const CenterTerm& c = centers[s.term];
     if (c.on && !all_placed(*c.on, body)) continue;
-    const double mass = center_mass_[s.term] + s.mass;
-    const Vec2 mu = (1 / mass) * (center_sum_[s.term] + s.mass * x_.position(s.anchor));
+    const double own = c.masses[s.member], mass = center_mass_[s.term] + own;
+    const Vec2 mu = (1 / mass) * (center_sum_[s.term] + own * x_.position(c.members[s.member]));
     const Vec2 off = mu - detail::center_target(c, x_, mu);
     // While members are missing their centre says little: count it by the mass that is there.
-    sum += c.gamma * std::min(1.0, mass / c.mass) * dot(off, off);
+    sum += p_.gamma(c) * std::min(1.0, mass / c.mass) * dot(off, off);
   }
   return sum;
 }
@@ -222,13 +224,13 @@ double Placer::term_cost(std::uint32_t body, double limit) const {
         const Vec2 at = x_.bodies[body].p;
         if (term.curve.medial_axis) return;
         const double d = length(at - detail::nearest_on_curve(detail::placed_curve(term, x_), at).point);
-        sum += term.gamma * d * d;
+        sum += p_.gamma(term) * d * d;
       } else {
         bool there = true;
         anchors(term, [&](const Anchor& a) { there = there && all_placed(a, body); });
         if (!there) return;
         const double e = error(term, x_);
-        sum += term.gamma * e * e;
+        sum += p_.gamma(term) * e * e;
       }
     });
   }

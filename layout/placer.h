@@ -31,9 +31,7 @@ class Placer {
 
  private:
   struct Share {
-    std::uint32_t term = 0;
-    double mass = 0;
-    Anchor anchor;
+    std::uint32_t term = 0, member = 0;
   };
   Pose propose(std::uint32_t body, Rng& rng) const;
   void fit(std::uint32_t body, bool push);

@@ -136,7 +136,7 @@ void Solver::begin_curves(std::vector<bool>& placed) {
 
 void Solver::set_stiffness() {
   for (std::size_t s = 0; s < k_.size(); ++s) {
-    const StiffnessSlot& slot = p_.slots[s];
+    const Slot& slot = p_.slots[s];
     const double rate = slot.schedule == pbd::Schedule::increasing ? kHardRate : kSoftRate;
     k_[s] = pbd::stiffness(slot.schedule, slot.k0, rate, schedule_);
   }
@@ -202,7 +202,7 @@ void Solver::iterate() {
 
 double Solver::total_gamma() const {
   double sum = 0;
-  p_.for_each_term([&](const auto& term, TermId) { sum += term.gamma; });
+  p_.for_each_term([&](const auto& term, TermId) { sum += p_.gamma(term); });
   return sum;
 }
 
@@ -212,7 +212,7 @@ Score Solver::score() {
   for_each_type(TermTypes{}, [&]<class T>(std::type_identity<T>) {
     for (const T& term : p_.of<T>()) {
       const double e = error(term, x_);
-      squares += term.gamma * e * e;
+      squares += p_.gamma(term) * e * e;
       s.slack = std::max(s.slack, std::abs(e));
     }
   });
