@@ -36,7 +36,7 @@ class Contacts {
 
   struct Pair {
     std::uint32_t a = 0, b = 0;
-    double reach_square = 0;  ///< of the two circles about them: farther apart they cannot meet
+    float reach_square = 0;  ///< of the two circles about them, rounded up: farther apart they cannot meet
   };
   const std::vector<Pair>& pairs() const { return pairs_; }
 
