@@ -40,17 +40,8 @@ class Expansion {
   }
   /// Objects and rigid groups; a group that is not rigid is replaced by its members.
   std::vector<Ref> solid_members(const Members& m) const {
-    std::vector<Ref> list, todo = members(m);
-    while (!todo.empty()) {
-      const Ref r = todo.front();
-      todo.erase(todo.begin());
-      if (r.kind == Ref::Kind::group && p_.body_of_group[r.index] == kNone) {
-        const auto& inner = scene_.groups[r.index].members;
-        todo.insert(todo.begin(), inner.begin(), inner.end());
-      } else {
-        list.push_back(r);
-      }
-    }
+    std::vector<Ref> list;
+    for (const Ref r : members(m)) collect_solid(r, list);
     return list;
   }
   std::vector<Ref> all_objects() const {
@@ -164,6 +155,13 @@ class Expansion {
       list.push_back(r);
     } else if (r.kind == Ref::Kind::group) {
       for (const Ref m : scene_.groups[r.index].members) collect(m, list);
+    }
+  }
+  void collect_solid(Ref r, std::vector<Ref>& list) const {
+    if (r.kind == Ref::Kind::group && p_.body_of_group[r.index] == kNone) {
+      for (const Ref m : scene_.groups[r.index].members) collect_solid(m, list);
+    } else {
+      list.push_back(r);
     }
   }
   /// Bounding box of a rigid group in its particle's frame.
