@@ -192,10 +192,13 @@ void Contacts::score(const State& x, Score& s, double& squares) const {
     s.worst = std::max(s.worst, depth);
     squares += p_.collision_gamma * depth * depth;
   }
+  const Zone* at = nullptr;
+  Vec2 center;
   for (const Pair& pair : zone_pairs_) {
     const Zone& z = p_.zones[pair.a];
+    if (&z != at) at = &z, center = zone_center(z, x);
     const Box& box = x.boxes[pair.b];
-    const Vec2 gap = box.center - zone_center(z, x);
+    const Vec2 gap = box.center - center;
     if (dot(gap, gap) >= pair.reach_square) continue;
     const double depth = zone_separation(z, box, x, false).depth;
     if (depth <= 0) continue;
