@@ -48,9 +48,11 @@ inline Separation separation(const Box& a, const Box& b) {
   const double c = dot(a.front, b.front), s = cross(a.front, b.front);
   const double ac = std::abs(c), as = std::abs(s);
   const double da_f = dot(d, a.front), da_l = dot(d, a.left());
-  const double db_f = dot(d, b.front), db_l = dot(d, b.left());
   const double o0 = a.half_depth + b.half_depth * ac + b.half_width * as - std::abs(da_f);
   const double o1 = a.half_width + b.half_depth * as + b.half_width * ac - std::abs(da_l);
+  // Most neighbours are apart, and most of those along one of a's axes.
+  if (o0 <= 0 || o1 <= 0) return {{1, 0}, std::min(o0, o1)};
+  const double db_f = dot(d, b.front), db_l = dot(d, b.left());
   const double o2 = b.half_depth + a.half_depth * ac + a.half_width * as - std::abs(db_f);
   const double o3 = b.half_width + a.half_depth * as + a.half_width * ac - std::abs(db_l);
   Separation r{da_f < 0 ? -a.front : a.front, o0};

@@ -84,4 +84,7 @@ TEST_CASE("the table of a good room has no cross and long lists are cut") {
   CheckReport bad;
   bad.reachable.unreachable.assign(25, "chair");
   CHECK(io::check_table(bad).find("… and 15 more") != std::string::npos);
+  bad.reachable.share = 0.9997;
+  CHECK(io::check_table(bad).find("all but 25 objects") != std::string::npos);
+  CHECK(io::check_table(bad).find("100.0 %  ") == std::string::npos);
 }

@@ -49,6 +49,13 @@ struct Grid {
   }
 };
 
+/// How much of the floor is reached. Never 100 % when something is not.
+std::string reached(const layout::CheckReport::Reachable& r) {
+  if (r.unreachable.empty() || r.share <= 0.999) return percent(r.share);
+  const std::size_t n = r.unreachable.size();
+  return "all but " + std::to_string(n) + (n == 1 ? " object" : " objects");
+}
+
 void verdict(Grid& grid, bool good, std::string what, std::string value, std::string advice) {
   grid.rows.push_back({good ? "✓" : "✗", std::move(what), std::move(value), good ? "" : std::move(advice)});
 }
@@ -68,7 +75,7 @@ std::string verdicts(const CheckReport& r) {
           "clear the faces below, or ask for less");
   verdict(grid, r.views.empty(), "blocked views", count_or_none(r.views.size()), "move lower things into the view");
   verdict(grid, r.reachable.share > 0.999 && r.reachable.unreachable.empty(), "reachable from the doors",
-          percent(r.reachable.share),
+          reached(r.reachable),
           r.walkable_share == 0 ? "no place holds a person of 0.25 m radius"
                                 : "a passage or a door is narrower than 0.5 m");
   verdict(grid, r.violations.empty(), "constraints not kept", count_or_none(r.violations.size()), "see the list below");

@@ -22,14 +22,13 @@ void find_followers(Problem& p) {
 /// Which terms and zones concern each body.
 void index_terms(Problem& p) {
   std::vector<std::vector<TermId>> lists(p.data.bodies.size());
-  std::uint16_t type = 0;
+  std::uint32_t type = 0;
   for_each_type(TermTypes{}, [&]<class T>(std::type_identity<T>) {
     const auto& list = p.of<T>();
     for (std::uint32_t i = 0; i < list.size(); ++i) {
       anchors(list[i], [&](const Anchor& a) {
         const auto note = [&](std::uint32_t b) {
-          if (lists[b].empty() || lists[b].back().type != type || lists[b].back().index != i)
-            lists[b].push_back({type, i});
+          if (lists[b].empty() || lists[b].back() != TermId(type, i)) lists[b].emplace_back(type, i);
         };
         if (!a.group()) return note(a.body);
         for (const std::uint32_t b : p.data.groups[a.index()].bodies) note(b);
@@ -57,17 +56,15 @@ void index_terms(Problem& p) {
 void trim(Problem& p) {
   for_each_type(TermTypes{},
                 [&]<class T>(std::type_identity<T>) { std::get<std::vector<T>>(p.terms).shrink_to_fit(); });
-  for (auto& list : p.origins) list.shrink_to_fit();
-  p.zones.shrink_to_fit(), p.zone_owner.shrink_to_fit(), p.touching.shrink_to_fit(), p.touching_first.shrink_to_fit();
+  p.zones.shrink_to_fit(), p.touching.shrink_to_fit(), p.touching_first.shrink_to_fit();
   p.data.bodies.shrink_to_fit(), p.data.boxes.shrink_to_fit(), p.data.riders.shrink_to_fit(), p.start.shrink_to_fit();
   for (GroupData& g : p.data.groups) g.bodies.shrink_to_fit();
   for (CenterTerm& c : std::get<std::vector<CenterTerm>>(p.terms)) c.members.shrink_to_fit(), c.masses.shrink_to_fit();
-  for (Zone& z : p.zones) z.exempt.shrink_to_fit(), z.only.shrink_to_fit();
 }
 
 }  // namespace
 
-Result<Problem> compile(const Scene& scene) {
+Result<Problem> compile(const Scene& scene, Origins* origins) {
   Problem p(scene);
   if (const Status s = build_bodies(scene, p); !s) return s.error();
   for (std::size_t b = 0; b < p.data.bodies.size(); ++b) {
@@ -77,7 +74,7 @@ Result<Problem> compile(const Scene& scene) {
                      "\"" + o.id + "\" is fixed but has no position");
     }
   }
-  expand_constraints(scene, p);
+  expand_constraints(scene, p, origins);
   index_terms(p);
   find_followers(p);
   trim(p);

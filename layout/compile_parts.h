@@ -13,6 +13,6 @@ Status build_bodies(const Scene& scene, Problem& problem);
 
 /// The document's constraints, and those that every scene has (clearances, what stands on something, curves, doors), as
 /// terms and zones. Requires: build_bodies.
-void expand_constraints(const Scene& scene, Problem& problem);
+void expand_constraints(const Scene& scene, Problem& problem, Origins* origins);
 
 }  // namespace inhabit::layout

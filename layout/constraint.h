@@ -20,9 +20,9 @@ namespace inhabit::layout {
 /// Passes of one iteration in which a term is projected (thesis table 5.1).
 enum class Pass { others, walls };
 
+/// A term holds what differs from one to the next, the small members first: in a theatre, terms are most of the memory.
 struct Term {
-  std::uint32_t slot = 0;  ///< which of the problem's stiffness schedules
-  double gamma = 1;        ///< weight in the energy, TVCG eq. 1
+  std::uint32_t slot = 0;  ///< which of the problem's slots: stiffness schedule and weight
 };
 
 /// The defaults of a term type; a document's `stiffness` and `weight` replace the last two.

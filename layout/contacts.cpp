@@ -1,12 +1,25 @@
 #include "layout/contacts.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace inhabit::layout {
 namespace {
 
 /// Below this many boxes every pair is kept: 24 * 23 / 2 circle tests cost less than finding out which to leave.
 constexpr std::size_t kFew = 24;
+
+/// The next float that is not less.
+float rounded_up(double v) {
+  const auto f = static_cast<float>(v);
+  return f < v ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
+}
+
+/// Gives back what growing by doubling took too much.
+template <class T>
+void trim(std::vector<T>& list) {
+  if (list.capacity() > list.size() + list.size() / 4) list.shrink_to_fit();
+}
 
 }  // namespace
 
@@ -35,12 +48,12 @@ Contacts::Contacts(const Problem& problem) : p_(problem) {
 
 Contacts::Pair Contacts::pair_of(std::uint32_t i, std::uint32_t j) const {
   const double reach = p_.data.boxes[i].radius + p_.data.boxes[j].radius;
-  return {i, j, reach * reach};
+  return {i, j, rounded_up(reach * reach)};
 }
 
 Contacts::Pair Contacts::zone_pair_of(std::uint32_t z, std::uint32_t b) const {
   const double reach = p_.zones[z].radius + p_.data.boxes[b].radius;
-  return {z, b, reach * reach};
+  return {z, b, rounded_up(reach * reach)};
 }
 
 void Contacts::all_pairs() {
@@ -166,6 +179,7 @@ void Contacts::rebuild(const State& x) {
     visit(at, zone_reach_[z] + small_radius_ + margin_, consider);
     for (const std::uint32_t j : large_) consider(j);
   }
+  trim(pairs_), trim(zone_pairs_);
 }
 
 void Contacts::score(const State& x, Score& s, double& squares) const {
@@ -178,15 +192,18 @@ void Contacts::score(const State& x, Score& s, double& squares) const {
     s.worst = std::max(s.worst, depth);
     squares += p_.collision_gamma * depth * depth;
   }
+  const Zone* at = nullptr;
+  Vec2 center;
   for (const Pair& pair : zone_pairs_) {
     const Zone& z = p_.zones[pair.a];
+    if (&z != at) at = &z, center = zone_center(z, x);
     const Box& box = x.boxes[pair.b];
-    const Vec2 gap = box.center - zone_center(z, x);
+    const Vec2 gap = box.center - center;
     if (dot(gap, gap) >= pair.reach_square) continue;
     const double depth = zone_separation(z, box, x, false).depth;
     if (depth <= 0) continue;
     s.slack = std::max(s.slack, depth);
-    squares += z.gamma * depth * depth;
+    squares += p_.gamma(z) * depth * depth;
   }
 }
 

@@ -36,7 +36,7 @@ class Contacts {
 
   struct Pair {
     std::uint32_t a = 0, b = 0;
-    double reach_square = 0;  ///< of the two circles about them: farther apart they cannot meet
+    float reach_square = 0;  ///< of the two circles about them, rounded up: farther apart they cannot meet
   };
   const std::vector<Pair>& pairs() const { return pairs_; }
 
@@ -104,14 +104,19 @@ void Contacts::separate_along_wall(const State& x, const Pair& pair, const Separ
 
 template <class Sink>
 void Contacts::project_zones(const State& x, std::span<const double> stiffness, bool sphere, Sink& sink) const {
+  // Pairs of one zone follow each other: its centre is worked out once, and again when somebody has moved.
+  const Zone* at = nullptr;
+  Vec2 center;
   for (const Pair& pair : zone_pairs_) {
     const Zone& z = p_.zones[pair.a];
+    if (&z != at) at = &z, center = zone_center(z, x);
     const Box& box = x.boxes[pair.b];
-    const Vec2 gap = box.center - zone_center(z, x);
+    const Vec2 gap = box.center - center;
     if (dot(gap, gap) >= pair.reach_square) continue;
     const BoxData& d = p_.data.boxes[pair.b];
     const Separation s = zone_separation(z, box, x, sphere);
     if (s.depth <= 0) continue;
+    at = nullptr;
     const Anchor a{d.body};
     const double w = p_.data.bodies[d.body].w, k = stiffness[z.slot];
     if (z.owner) {

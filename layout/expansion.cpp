@@ -8,7 +8,9 @@ namespace {
 /// Turns the document's constraints into terms: the `Out` of layout/constraint.h.
 class Expansion {
  public:
-  Expansion(const Scene& scene, Problem& problem) : scene_(scene), p_(problem) { link_partners(); }
+  Expansion(const Scene& scene, Problem& problem, Origins* origins) : scene_(scene), p_(problem), origins_(origins) {
+    link_partners();
+  }
 
   Anchor anchor(Ref r) const {
     if (r.kind == Ref::Kind::object) {
@@ -38,17 +40,8 @@ class Expansion {
   }
   /// Objects and rigid groups; a group that is not rigid is replaced by its members.
   std::vector<Ref> solid_members(const Members& m) const {
-    std::vector<Ref> list, todo = members(m);
-    while (!todo.empty()) {
-      const Ref r = todo.front();
-      todo.erase(todo.begin());
-      if (r.kind == Ref::Kind::group && p_.body_of_group[r.index] == kNone) {
-        const auto& inner = scene_.groups[r.index].members;
-        todo.insert(todo.begin(), inner.begin(), inner.end());
-      } else {
-        list.push_back(r);
-      }
-    }
+    std::vector<Ref> list;
+    for (const Ref r : members(m)) collect_solid(r, list);
     return list;
   }
   std::vector<Ref> all_objects() const {
@@ -92,30 +85,31 @@ class Expansion {
 
   template <class T>
   void add(T term, Ref a, Ref b) {
-    term.slot = slot({T::kTraits.schedule, current_->stiffness.value_or(T::kTraits.stiffness)});
-    term.gamma = current_->weight.value_or(T::kTraits.gamma);
-    std::size_t type = 0, k = 0;
+    term.slot = slot_of(T::kTraits, *current_);
+    std::size_t k = 0;
     for_each_type(TermTypes{}, [&]<class U>(std::type_identity<U>) {
-      if constexpr (std::is_same_v<T, U>) type = k;
+      if (std::is_same_v<T, U> && origins_ != nullptr) (*origins_)[k].push_back({type_, a, b});
       ++k;
     });
-    p_.origins[type].push_back({type_, a, b});
     std::get<std::vector<T>>(p_.terms).push_back(std::move(term));
   }
-  void add_zone(Zone z, Ref owner, const Members& only, const Strength* s) {
-    z.slot = slot({Zone::kTraits.schedule,
-                   s != nullptr ? s->stiffness.value_or(Zone::kTraits.stiffness) : Zone::kTraits.stiffness});
-    z.gamma = s != nullptr ? s->weight.value_or(Zone::kTraits.gamma) : Zone::kTraits.gamma;
-    for (const Ref o : objects(only)) z.only.push_back(p_.box_of_object[o.index]);
+  void add_zone(Zone z, Zone::Details details, Ref owner, const Members& only, const Strength& s) {
+    z.slot = slot_of(Zone::kTraits, s);
+    for (const Ref o : objects(only)) details.only.push_back(p_.box_of_object[o.index]);
     if (owner.kind == Ref::Kind::object) {
-      z.exempt = linked_[owner.index];
+      details.exempt = linked_[owner.index];
       z.low = p_.base_of_object[owner.index];
       z.high = z.low + std::max(scene_.objects[owner.index].size.z, 0.1);
     }
-    std::ranges::sort(z.only);
-    std::ranges::sort(z.exempt);
+    std::ranges::sort(details.only);
+    std::ranges::sort(details.exempt);
+    // Zones of one kind follow each other, and those of like objects are alike.
+    if (last_details_ && *last_details_ == details) {
+      z.details = last_details_;
+    } else if (details != Zone::Details{}) {
+      z.details = last_details_ = std::make_shared<const Zone::Details>(std::move(details));
+    }
     p_.zones.push_back(std::move(z));
-    p_.zone_owner.push_back(owner);
   }
 
   void run() {
@@ -137,7 +131,7 @@ class Expansion {
     for (const Door& d : scene_.space.doors) door_zone(d);
   }
 
-  std::uint32_t slot(StiffnessSlot s) {
+  std::uint32_t slot(Slot s) {
     const auto found = std::ranges::find(p_.slots, s);
     if (found != p_.slots.end()) return static_cast<std::uint32_t>(found - p_.slots.begin());
     p_.slots.push_back(s);
@@ -145,6 +139,9 @@ class Expansion {
   }
 
  private:
+  std::uint32_t slot_of(const TermTraits& traits, const Strength& s) {
+    return slot({traits.schedule, s.stiffness.value_or(traits.stiffness), s.weight.value_or(traits.gamma)});
+  }
   template <class F>
   double group_sum(Ref r, F f) const {
     std::vector<Ref> list;
@@ -158,6 +155,13 @@ class Expansion {
       list.push_back(r);
     } else if (r.kind == Ref::Kind::group) {
       for (const Ref m : scene_.groups[r.index].members) collect(m, list);
+    }
+  }
+  void collect_solid(Ref r, std::vector<Ref>& list) const {
+    if (r.kind == Ref::Kind::group && p_.body_of_group[r.index] == kNone) {
+      for (const Ref m : scene_.groups[r.index].members) collect_solid(m, list);
+    } else {
+      list.push_back(r);
     }
   }
   /// Bounding box of a rigid group in its particle's frame.
@@ -206,7 +210,7 @@ class Expansion {
     const Object& o = scene_.objects[r.index];
     const std::array depth = {o.clearance.back, o.clearance.left, o.clearance.front, o.clearance.right};
     for (int face = 0; face < 4; ++face)
-      add_face_zone(r, face, depth[static_cast<std::size_t>(face)], "accessibility", {}, nullptr, *this);
+      add_face_zone(r, face, depth[static_cast<std::size_t>(face)], {}, *current_, *this);
     const bool stacked =
         std::ranges::any_of(scene_.constraints.of<scene::Stacking>(), [r](const auto& c) { return c.object == r; });
     if (!o.on.none() && !stacked) {
@@ -230,30 +234,32 @@ class Expansion {
     const Wall& w = p_.room.walls()[static_cast<std::size_t>(d.wall)];
     const double depth = d.swing == Door::Swing::in ? std::max(d.width, 0.6) : 0.6;
     Zone z;
-    z.type = "door";
     z.box = {w.a + (d.from + d.width / 2) * w.along + (depth / 2) * w.normal, w.normal, depth / 2, d.width / 2};
     z.radius = z.box.radius();
     z.high = d.height;
     // A door's own object (some scenes furnish one) and what is fixed may stand there.
+    Zone::Details details;
     for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
-      if (scene_.objects[i].kind == "door" || scene_.objects[i].fixed) z.exempt.push_back(p_.box_of_object[i]);
+      if (scene_.objects[i].kind == "door" || scene_.objects[i].fixed) details.exempt.push_back(p_.box_of_object[i]);
     }
-    add_zone(std::move(z), {}, {}, nullptr);
+    add_zone(std::move(z), std::move(details), {}, {}, *current_);
   }
 
   const Scene& scene_;
   Problem& p_;
+  Origins* origins_;
   const Strength* current_ = nullptr;
   std::string_view type_;
   int off_sets_ = 0, sphere_sets_ = 0;
   std::vector<std::vector<std::uint32_t>> linked_;
+  std::shared_ptr<const Zone::Details> last_details_;
 };
 
 }  // namespace
 
-void expand_constraints(const Scene& scene, Problem& problem) {
-  Expansion expansion(scene, problem);
-  problem.collision_slot = expansion.slot({pbd::Schedule::increasing, 0.8});
+void expand_constraints(const Scene& scene, Problem& problem, Origins* origins) {
+  Expansion expansion(scene, problem, origins);
+  problem.collision_slot = expansion.slot({pbd::Schedule::increasing, 0.8, problem.collision_gamma});
   expansion.run();
   std::ranges::sort(problem.off_pairs);
 }

@@ -43,9 +43,9 @@ struct Placement {
 };
 
 struct TraceRow {
-  int start = 0, iteration = 0;
-  double energy = 0;   ///< TVCG eq. 1
-  double overlap = 0;  ///< summed overlap depth of all pairs and of everything outside, metres
+  int start = 1, iteration = 0;  ///< both from 1
+  double energy = 0;             ///< TVCG eq. 1
+  double overlap = 0;            ///< summed overlap depth of all pairs and of everything outside, metres
   bool feasible = false;
   bool relocated = false;
 };
@@ -55,9 +55,9 @@ struct Layout {
   Placement placement;
   bool feasible = false;  ///< no overlap deeper than 1 mm, nothing outside by more than 1 mm
   double energy = 0;
-  double violation = 0;  ///< summed overlap and outside depth, metres
-  int start = 0, iterations = 0;
-  double seconds = 0;  ///< wall time of this start
+  double violation = 0;           ///< summed overlap and outside depth, metres
+  int start = 1, iterations = 0;  ///< the number of the start, from 1
+  double seconds = 0;             ///< wall time of this start
 };
 
 struct Outcome {

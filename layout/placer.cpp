@@ -27,7 +27,7 @@ Placer::Placer(const Problem& problem, State& x) : p_(problem), x_(x) {
   for (std::uint32_t t = 0; t < centers.size(); ++t) {
     for (std::size_t i = 0; i < centers[t].members.size(); ++i) {
       const Anchor& a = centers[t].members[i];
-      if (!a.group()) shares.emplace_back(a.body, Share{t, centers[t].masses[i], a});
+      if (!a.group()) shares.emplace_back(a.body, Share{t, static_cast<std::uint32_t>(i)});
     }
   }
   shares_ = Lists<Share>(n, shares);
@@ -59,8 +59,14 @@ Placer::Placer(const Problem& problem, State& x) : p_(problem), x_(x) {
     next_.resize(n), prev_.resize(n), cell_of_.assign(n, kEnd);
   }
   for (const Wall& w : p_.room.walls()) {
-    if (std::ranges::none_of(wall_axes_, [&](Vec2 a) { return std::abs(dot(a, w.along) * cross(a, w.along)) < 1e-6; }))
-      wall_axes_.push_back(w.along);
+    if (std::ranges::any_of(wall_headings_, [&](const Heading& h) {
+          return std::abs(dot(h.front, w.along) * cross(h.front, w.along)) < 1e-6;
+        }))
+      continue;
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      const double angle = wrap_angle(angle_of(w.along) + quarter * (kPi / 2));
+      wall_headings_.push_back({angle, direction(angle)});
+    }
   }
 }
 
@@ -84,8 +90,10 @@ void Placer::reset(const std::vector<bool>& placed) {
 
 void Placer::count_centers(std::uint32_t body, double sign) {
   for (const Share& s : shares_[body]) {
-    center_sum_[s.term] += sign * s.mass * x_.position(s.anchor);
-    center_mass_[s.term] += sign * s.mass;
+    const CenterTerm& c = p_.of<CenterTerm>()[s.term];
+    const double mass = c.masses[s.member];
+    center_sum_[s.term] += sign * mass * x_.position(c.members[s.member]);
+    center_mass_[s.term] += sign * mass;
   }
 }
 
@@ -114,12 +122,12 @@ template <class F>
 void Placer::for_neighbours(std::uint32_t body, F&& f) const {
   if (all_ || is_large_[body]) {
     for (std::uint32_t b = 0; b < placed_.size(); ++b) {
-      if (b != body && placed_[b]) f(b);
+      if (b != body && placed_[b] && !f(b)) return;
     }
     return;
   }
   for (const std::uint32_t b : large_) {
-    if (b != body && placed_[b]) f(b);
+    if (b != body && placed_[b] && !f(b)) return;
   }
   const Vec2 p = x_.bodies[body].p;
   const double r = reach_[body] + small_reach_;
@@ -133,7 +141,7 @@ void Placer::for_neighbours(std::uint32_t body, F&& f) const {
   for (std::int64_t row = clamp_row(p.y - r); row <= clamp_row(p.y + r); ++row) {
     for (std::int64_t column = clamp_column(p.x - r); column <= clamp_column(p.x + r); ++column) {
       for (std::uint32_t b = head_[static_cast<std::size_t>(row * columns_ + column)]; b != kEnd; b = next_[b]) {
-        if (b != body) f(b);
+        if (b != body && !f(b)) return;
       }
     }
   }
@@ -145,7 +153,7 @@ double Placer::pair_cost(std::uint32_t a, std::uint32_t b) const {
   if (dot(gap, gap) >= far * far) return 0;
   const BodyData &da = p_.data.bodies[a], &db = p_.data.bodies[b];
   double sum = 0;
-  if (p_.collisions) {
+  if (p_.collisions && meet(a, b)) {
     for (std::uint32_t i = da.first_box; i < da.first_box + da.boxes; ++i) {
       for (std::uint32_t j = db.first_box; j < db.first_box + db.boxes; ++j) {
         if (!near(x_.boxes[i], p_.data.boxes[i].radius, x_.boxes[j], p_.data.boxes[j].radius) || !p_.collide(i, j))
@@ -163,7 +171,7 @@ double Placer::pair_cost(std::uint32_t a, std::uint32_t b) const {
           continue;
         if (p_.data.boxes[j].low >= zone.high || zone.low >= p_.data.boxes[j].high) continue;
         const double d = zone_separation(zone, x_.boxes[j], x_, false).depth;
-        if (d > 0) sum += zone.gamma * d * d;
+        if (d > 0) sum += p_.gamma(zone) * d * d;
       }
     }
   };
@@ -185,7 +193,7 @@ double Placer::border_cost(std::uint32_t body) const {
       if (!near({zone_center(zone, x_)}, zone.radius, x_.boxes[i], p_.data.boxes[i].radius) || !zone.concerns(i))
         continue;
       const double depth = zone_separation(zone, x_.boxes[i], x_, false).depth;
-      if (depth > 0) sum += zone.gamma * depth * depth;
+      if (depth > 0) sum += p_.gamma(zone) * depth * depth;
     }
   }
   return sum;
@@ -197,11 +205,11 @@ double Placer::center_cost(std::uint32_t body) const {
   for (const Share& s : shares_[body]) {
     const CenterTerm& c = centers[s.term];
     if (c.on && !all_placed(*c.on, body)) continue;
-    const double mass = center_mass_[s.term] + s.mass;
-    const Vec2 mu = (1 / mass) * (center_sum_[s.term] + s.mass * x_.position(s.anchor));
+    const double own = c.masses[s.member], mass = center_mass_[s.term] + own;
+    const Vec2 mu = (1 / mass) * (center_sum_[s.term] + own * x_.position(c.members[s.member]));
     const Vec2 off = mu - detail::center_target(c, x_, mu);
     // While members are missing their centre says little: count it by the mass that is there.
-    sum += c.gamma * std::min(1.0, mass / c.mass) * dot(off, off);
+    sum += p_.gamma(c) * std::min(1.0, mass / c.mass) * dot(off, off);
   }
   return sum;
 }
@@ -222,13 +230,13 @@ double Placer::term_cost(std::uint32_t body, double limit) const {
         const Vec2 at = x_.bodies[body].p;
         if (term.curve.medial_axis) return;
         const double d = length(at - detail::nearest_on_curve(detail::placed_curve(term, x_), at).point);
-        sum += term.gamma * d * d;
+        sum += p_.gamma(term) * d * d;
       } else {
         bool there = true;
         anchors(term, [&](const Anchor& a) { there = there && all_placed(a, body); });
         if (!there) return;
         const double e = error(term, x_);
-        sum += term.gamma * e * e;
+        sum += p_.gamma(term) * e * e;
       }
     });
   }
@@ -237,7 +245,11 @@ double Placer::term_cost(std::uint32_t body, double limit) const {
 
 double Placer::hard_cost(std::uint32_t body, double limit) const {
   double sum = border_cost(body);
-  if (sum < limit) for_neighbours(body, [&](std::uint32_t b) { sum += pair_cost(body, b); });
+  if (sum >= limit) return sum;
+  for_neighbours(body, [&](std::uint32_t b) {
+    sum += pair_cost(body, b);
+    return sum < limit;
+  });
   return sum;
 }
 
@@ -257,18 +269,20 @@ void Placer::overlaps(std::uint32_t body, std::vector<std::pair<std::uint32_t, d
       }
     }
     if (depth > 1e-3) out.emplace_back(b, depth);
+    return true;
   });
 }
 
-Pose Placer::propose(std::uint32_t body, Rng& rng) const {
+State::Body Placer::propose(std::uint32_t body, Rng& rng) const {
   const BodyData& d = p_.data.bodies[body];
-  Pose pose{x_.bodies[body].p, x_.bodies[body].angle};
+  State::Body pose = x_.bodies[body];
   if (d.turns) {
     if (rng.uniform() < kAligned) {
-      pose.angle = wrap_angle(angle_of(wall_axes_[rng.index(static_cast<std::uint32_t>(wall_axes_.size()))]) +
-                              rng.index(4) * (kPi / 2));
+      const std::uint32_t axis = rng.index(static_cast<std::uint32_t>(wall_headings_.size() / 4));
+      const Heading& h = wall_headings_[4 * axis + rng.index(4)];
+      pose.angle = h.angle, pose.front = h.front;
     } else {
-      pose.angle = rng.uniform(-kPi, kPi);
+      pose.angle = rng.uniform(-kPi, kPi), pose.front = direction(pose.angle);
     }
   }
   if (d.w <= 0) return pose;
@@ -315,6 +329,7 @@ void Placer::fit(std::uint32_t body, bool push) {
       p_.room.for_each_violation(x_.boxes[i], [&](Vec2 n, double depth) { x_.shift(body, depth * n); });
     if (!push || d.w <= 0) continue;
     for_neighbours(body, [&](std::uint32_t b) {
+      if (!meet(body, b)) return true;
       const BodyData& o = p_.data.bodies[b];
       for (std::uint32_t i = d.first_box; i < d.first_box + d.boxes; ++i) {
         for (std::uint32_t j = o.first_box; j < o.first_box + o.boxes; ++j) {
@@ -324,6 +339,7 @@ void Placer::fit(std::uint32_t body, bool push) {
           if (s.depth > 0) x_.shift(body, s.depth * s.normal);
         }
       }
+      return true;
     });
   }
   x_.solo = State::kNobody;
@@ -334,13 +350,16 @@ double Placer::place(std::uint32_t body, Rng& rng, int tries) {
   State::Body pose = x_.bodies[body];
   for (int t = 0; t < kLongSearch * tries && best > 1e-9; ++t) {
     if (t >= tries && least_fit < kFits) break;
-    const Pose q = propose(body, rng);
-    x_.place(body, q.p, q.angle);
+    const State::Body q = propose(body, rng);
+    x_.place(body, q.p, q.angle, q.front);
     fit(body, p_.collisions && (t & 1) != 0);
-    const double hard = hard_cost(body, best);
-    if (hard >= best) continue;
-    const double fit_cost = hard + term_cost(body, best - hard);
-    const double c = fit_cost + center_cost(body);
+    // The cheapest first: most poses are worse than the best by one part of their cost alone.
+    const double center = center_cost(body);
+    if (center >= best) continue;
+    const double hard = hard_cost(body, best - center);
+    if (hard >= best - center) continue;
+    const double fit_cost = hard + term_cost(body, best - center - hard);
+    const double c = fit_cost + center;
     if (c < best) best = c, least_fit = fit_cost, pose = x_.bodies[body];
   }
   x_.place(body, pose.p, pose.angle, pose.front);

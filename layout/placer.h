@@ -31,11 +31,9 @@ class Placer {
 
  private:
   struct Share {
-    std::uint32_t term = 0;
-    double mass = 0;
-    Anchor anchor;
+    std::uint32_t term = 0, member = 0;
   };
-  Pose propose(std::uint32_t body, Rng& rng) const;
+  State::Body propose(std::uint32_t body, Rng& rng) const;
   void fit(std::uint32_t body, bool push);
   /// Overlaps, zones and the border; stops counting at `limit`.
   double hard_cost(std::uint32_t body, double limit) const;
@@ -44,8 +42,15 @@ class Placer {
   double border_cost(std::uint32_t body) const;
   double center_cost(std::uint32_t body) const;
   bool all_placed(const Anchor& a, std::uint32_t self) const;
+  /// Calls f(other) for everybody near, until it says false.
   template <class F>
   void for_neighbours(std::uint32_t body, F&& f) const;
+  /// The circles about two bodies, without their zones, meet.
+  bool meet(std::uint32_t a, std::uint32_t b) const {
+    const double reach = p_.data.bodies[a].radius + p_.data.bodies[b].radius;
+    const Vec2 gap = x_.bodies[a].p - x_.bodies[b].p;
+    return dot(gap, gap) < reach * reach;
+  }
   std::size_t cell(Vec2 p) const;
   void count_centers(std::uint32_t body, double sign);
 
@@ -63,7 +68,11 @@ class Placer {
   double small_reach_ = 0, cell_size_ = 1;
   std::int64_t columns_ = 1, rows_ = 1;
   Vec2 origin_;
-  std::vector<Vec2> wall_axes_;  ///< headings along and across the walls
+  struct Heading {
+    double angle = 0;
+    Vec2 front;
+  };
+  std::vector<Heading> wall_headings_;  ///< along and across the walls, four of each
 };
 
 }  // namespace inhabit::layout

@@ -7,25 +7,39 @@
 /// A scene made ready for the solver: particles, terms, zones. Compiled once, shared by all starts, never changed.
 namespace inhabit::layout {
 
-/// Where a term comes from, for reports.
+/// Where a term comes from.
 struct Origin {
   std::string_view type;
   Ref a, b;
 };
+/// Of every term, by its type's place in TermTypes and its index. Reports want them; the solver does not carry them.
+using Origins = std::array<std::vector<Origin>, TermTypes::size>;
 
 template <class... T>
 std::tuple<std::vector<T>...> term_arrays(TypeList<T...>);
 
 /// One term by its type's place in TermTypes and its index; `Problem::touching` lists them per body.
-struct TermId {
-  std::uint16_t type = 0;
-  std::uint32_t index = 0;
+/// Requires: index < 2^27.
+class TermId {
+ public:
+  TermId() = default;
+  TermId(std::uint32_t type, std::uint32_t index) : bits_(index * kTypes + type) {}
+  std::uint32_t type() const { return bits_ % kTypes; }
+  std::uint32_t index() const { return bits_ / kTypes; }
+  friend bool operator==(TermId, TermId) = default;
+
+ private:
+  static constexpr std::uint32_t kTypes = 32;
+  static_assert(TermTypes::size <= kTypes);
+  std::uint32_t bits_ = 0;
 };
 
-struct StiffnessSlot {
+/// How strongly terms are asked for.
+struct Slot {
   pbd::Schedule schedule = pbd::Schedule::constant;
   double k0 = 1;
-  friend bool operator==(const StiffnessSlot&, const StiffnessSlot&) = default;
+  double gamma = 1;  ///< weight in the energy, TVCG eq. 1
+  friend bool operator==(const Slot&, const Slot&) = default;
 };
 
 struct Problem {
@@ -33,10 +47,8 @@ struct Problem {
   Room room;
   Bodies data;
   decltype(term_arrays(TermTypes{})) terms;
-  std::array<std::vector<Origin>, TermTypes::size> origins;
   std::vector<Zone> zones;
-  std::vector<Ref> zone_owner;
-  std::vector<StiffnessSlot> slots;
+  std::vector<Slot> slots;
   /// Sets that do not collide with themselves are bits of BoxData::off; from this one on they share the last bit and
   /// stand in `off_pairs`, sorted, both ways round. (Of `sphere` sets the last bit is all: pairs of two of them are
   /// circles too.)
@@ -64,22 +76,23 @@ struct Problem {
   const std::vector<T>& of() const {
     return std::get<std::vector<T>>(terms);
   }
-  /// Calls f(term, origin) for each term, type by type.
+  double gamma(const Term& term) const { return slots[term.slot].gamma; }
+  /// Calls f(term, id) for each term, type by type.
   template <class F>
   void for_each_term(F&& f) const {
-    std::size_t type = 0;
+    std::uint32_t type = 0;
     for_each_type(TermTypes{}, [&]<class T>(std::type_identity<T>) {
       const auto& list = of<T>();
-      for (std::size_t i = 0; i < list.size(); ++i) f(list[i], origins[type][i]);
+      for (std::uint32_t i = 0; i < list.size(); ++i) f(list[i], TermId{type, i});
       ++type;
     });
   }
   /// Calls f(term) for the term with this id.
   template <class F>
   void with_term(TermId id, F&& f) const {
-    std::uint16_t type = 0;
+    std::uint32_t type = 0;
     for_each_type(TermTypes{}, [&]<class T>(std::type_identity<T>) {
-      if (type++ == id.type) f(of<T>()[id.index]);
+      if (type++ == id.type()) f(of<T>()[id.index()]);
     });
   }
 
@@ -108,7 +121,8 @@ struct Problem {
 };
 
 /// Errors: a rigid group without its members' positions, stacks that contain themselves, a fixed object without a pose.
-Result<Problem> compile(const Scene& scene);
+/// Fills `origins` when there is one.
+Result<Problem> compile(const Scene& scene, Origins* origins = nullptr);
 
 /// The pose of every object and group of the scene in this state.
 struct Placement;

@@ -58,6 +58,17 @@ bool Room::contains(Vec2 p) const {
 }
 
 WallPoint Room::nearest_wall(Vec2 p, std::optional<int> only) const {
+  if (convex_ && !only) {
+    // Inside a convex room the nearest of the walls' lines is met on its wall.
+    std::uint32_t nearest = 0;
+    double least = 1e300;
+    for (std::uint32_t k = 0; k < walls_.size(); ++k) {
+      const double off = dot(p - walls_[k].a, walls_[k].normal);
+      if (off < least) least = off, nearest = k;
+    }
+    const Wall& w = walls_[nearest];
+    if (least >= 0) return {w.a + std::clamp(dot(p - w.a, w.along), 0.0, w.length) * w.along, least, nearest};
+  }
   WallPoint best{{}, 1e300, 0};
   double best_square = 1e300;
   const std::size_t first = only ? static_cast<std::size_t>(*only) % walls_.size() : 0;

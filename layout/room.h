@@ -45,8 +45,12 @@ class Room {
   template <class F>
   void for_each_violation(const Box& box, F&& f) const {
     if (convex_) {
+      // In no direction does a box reach farther than its halves together.
+      const double most = box.half_depth + box.half_width;
       for (const Wall& w : walls_) {
-        const double depth = box.extent(w.normal) - dot(box.center - w.a, w.normal);
+        const double distance = dot(box.center - w.a, w.normal);
+        if (distance >= most) continue;
+        const double depth = box.extent(w.normal) - distance;
         if (depth > 0) f(w.normal, depth);
       }
     } else {

@@ -10,19 +10,10 @@ constexpr double kSoftRate = 10;  ///< M of the decreasing schedule: soft constr
 constexpr double kHardRate = 1;   ///< M of the increasing schedule
 constexpr int kStall = 8;         ///< iterations without clearly less overlap before a relocation
 constexpr double kProgress = 0.85;  ///< what counts as clearly less: creeping on costs more than moving somebody
-constexpr double kImprovement =
-    1e-3;  ///< an energy lower by less than this share is no improvement (as TVCG 4.3 stops its annealing)
-constexpr double kSettled = 1e-3;  ///< residual that nobody sees: 1 mm, 0.06 degrees
-constexpr double kVisible = 4e-3;  ///< root mean square change of all residuals that nobody sees: 4 mm, 0.2 degrees
-constexpr int kWindow = 4;         ///< iterations over which a settled layout's energy stays within that change
-constexpr int kRefinements = 6;    ///< relocations that look for a better energy once a layout is feasible
-constexpr int kSettling = 5;       ///< iterations after each
-constexpr int kFruitless = 2;      ///< so many without success end the search
-constexpr double kGood = 0.03;     ///< root mean square residual that needs none: 3 cm, 1.7 degrees
+constexpr double kSettled = 1e-3;   ///< residual that nobody sees: 1 mm, 0.06 degrees
+constexpr double kVisible = 4e-3;   ///< root mean square change of all residuals that nobody sees: 4 mm, 0.2 degrees
+constexpr int kWindow = 4;          ///< iterations over which a settled layout's energy stays within that change
 constexpr int kPolishEvery = 10;
-constexpr double kPolishable = 0.1;  ///< metres: deeper overlaps take more than a polish
-constexpr std::size_t kMany = 64;    ///< more bodies than this are relocated all at once
-constexpr double kFeasible = 1e-3;   ///< metres (scene.md)
 
 /// Averages the corrections of a set per particle, times 1.2 (TVCG 3.1).
 struct Averaged {
@@ -76,67 +67,9 @@ Solver::Solver(const Problem& problem, const Options& options, int start)
   if (!options_.paper && (options_.relocation || options_.start != Start::random)) placer_.emplace(p_, x_);
 }
 
-void Solver::begin() {
-  const std::size_t n = p_.data.bodies.size();
-  const Bounds& room = p_.room.extent();
-  std::vector<bool> placed(n);
-  std::vector<std::uint32_t> todo;
-  for (std::uint32_t b = 0; b < n; ++b) {
-    const BodyData& d = p_.data.bodies[b];
-    const bool keep = p_.has_start[b] && (d.w == 0 || options_.start == Start::given);
-    Pose pose = p_.start[b];
-    if (!keep) {
-      for (int i = 0; i < 32; ++i) {
-        pose.p = {rng_.uniform(room.min.x, room.max.x), rng_.uniform(room.min.y, room.max.y)};
-        if (p_.room.contains(pose.p)) break;
-      }
-    }
-    if (d.turns && !(options_.start == Start::given && p_.has_angle[b])) pose.angle = rng_.uniform(-kPi, kPi);
-    x_.place(b, pose.p, pose.angle);
-    placed[b] = keep;
-    if (!keep) todo.push_back(b);
-  }
-  if (todo.empty()) {
-    settles_ = true;
-    schedule_ = 20;  // warm: soft constraints correct, they do not rearrange
-    return;
-  }
-  if (options_.start == Start::random) return;
-  begin_curves(placed);
-  std::erase_if(todo, [&](std::uint32_t b) { return placed[b]; });
-  // Large before small, with some chance, so that starts differ. In a large scene equals go in the order of the
-  // document: members of one tier are neighbours in the room and so in memory.
-  std::vector<std::pair<double, std::uint32_t>> order;
-  for (const std::uint32_t b : todo) {
-    const double area = p_.data.bodies[b].area;
-    order.emplace_back(-area * (n > kMany ? 1 : rng_.uniform(0.7, 1.3)), b);
-  }
-  std::ranges::sort(order);
-  placer_->reset(placed);
-  const int tries = n > kMany ? 16 : 32;
-  for (const auto& [key, b] : order) placer_->place(b, rng_, tries);
-}
-
-/// Members of a curve start evenly along it.
-void Solver::begin_curves(std::vector<bool>& placed) {
-  for (const CurveTerm& c : p_.of<CurveTerm>()) {
-    if (c.curve.medial_axis) continue;
-    const double total = detail::curve_length(c.curve), n = static_cast<double>(c.members.size());
-    const double step = c.spacing && *c.spacing * (n - 1) <= total ? *c.spacing : (n > 1 ? total / (n - 1) : 0);
-    double at = (total - step * (n - 1)) / 2;
-    for (const Anchor& m : c.members) {
-      if (!m.group() && !placed[m.body] && x_.w(m) > 0) {
-        x_.place(m.body, detail::curve_point(c.curve, at), x_.bodies[m.body].angle);
-        placed[m.body] = true;
-      }
-      at += step;
-    }
-  }
-}
-
 void Solver::set_stiffness() {
   for (std::size_t s = 0; s < k_.size(); ++s) {
-    const StiffnessSlot& slot = p_.slots[s];
+    const Slot& slot = p_.slots[s];
     const double rate = slot.schedule == pbd::Schedule::increasing ? kHardRate : kSoftRate;
     k_[s] = pbd::stiffness(slot.schedule, slot.k0, rate, schedule_);
   }
@@ -202,7 +135,7 @@ void Solver::iterate() {
 
 double Solver::total_gamma() const {
   double sum = 0;
-  p_.for_each_term([&](const auto& term, const Origin&) { sum += term.gamma; });
+  p_.for_each_term([&](const auto& term, TermId) { sum += p_.gamma(term); });
   return sum;
 }
 
@@ -212,7 +145,7 @@ Score Solver::score() {
   for_each_type(TermTypes{}, [&]<class T>(std::type_identity<T>) {
     for (const T& term : p_.of<T>()) {
       const double e = error(term, x_);
-      squares += term.gamma * e * e;
+      squares += p_.gamma(term) * e * e;
       s.slack = std::max(s.slack, std::abs(e));
     }
   });
@@ -266,119 +199,6 @@ bool Solver::polish() {
   return done;
 }
 
-std::vector<double> Solver::loads() const {
-  std::vector<double> load(p_.data.bodies.size());
-  contacts_.add_load(x_, load);
-  for (std::uint32_t i = 0; i < x_.boxes.size() && p_.boundary; ++i) {
-    if (p_.data.bodies[p_.data.boxes[i].body].w <= 0) continue;
-    double deepest = 0;
-    p_.room.for_each_violation(x_.boxes[i], [&](Vec2, double depth) { deepest = std::max(deepest, depth); });
-    load[p_.data.boxes[i].body] += deepest;
-  }
-  return load;
-}
-
-void Solver::relocate() {
-  contacts_.refresh(x_);
-  const std::vector<double> load = loads();
-  placer_->reset(std::vector<bool>(p_.data.bodies.size(), true));
-  if (p_.data.bodies.size() > kMany) {
-    relocate_many(load);
-  } else {
-    relocate_few(load);
-  }
-}
-
-/// Everybody who overlaps, the worst first, each to the best of some poses.
-void Solver::relocate_many(const std::vector<double>& load) {
-  std::vector<std::pair<double, std::uint32_t>> order;
-  for (std::uint32_t b = 0; b < load.size(); ++b) {
-    if (load[b] > kFeasible && p_.data.bodies[b].w > 0) order.emplace_back(-load[b], b);
-  }
-  std::ranges::sort(order);
-  std::vector<std::pair<std::uint32_t, double>> hits;
-  for (const auto& [key, b] : order) {
-    // One of a pair moves away; the other may be free by then.
-    placer_->overlaps(b, hits);
-    double outside = 0;
-    const BodyData& d = p_.data.bodies[b];
-    for (std::uint32_t i = d.first_box; i < d.first_box + d.boxes && p_.boundary; ++i)
-      p_.room.for_each_violation(x_.boxes[i], [&](Vec2, double depth) { outside += depth; });
-    if (hits.empty() && outside <= kFeasible) continue;
-    const State::Body old = x_.bodies[b];
-    const double cost = placer_->cost(b);
-    placer_->lift(b);
-    if (placer_->place(b, rng_, 32) > cost) {
-      placer_->lift(b);
-      x_.place(b, old.p, old.angle, old.front);
-      placer_->drop(b);
-    }
-  }
-}
-
-/// Ruin and recreate: the worst object (now and then any), with up to four of those about it, comes out and goes back
-/// in, the large ones first.
-void Solver::relocate_few(const std::vector<double>& load) {
-  std::vector<std::uint32_t> movable;
-  double total = 0;
-  for (std::uint32_t b = 0; b < load.size(); ++b) {
-    if (p_.data.bodies[b].w > 0) movable.push_back(b), total += load[b];
-  }
-  if (movable.empty()) return;
-  std::uint32_t worst = movable[rng_.index(static_cast<std::uint32_t>(movable.size()))];
-  if (rng_.uniform() < 0.8) {
-    double ticket = rng_.uniform(0, total);
-    for (const std::uint32_t b : movable) {
-      ticket -= load[b];
-      if (load[b] > 0) worst = b;
-      if (ticket < 0) break;
-    }
-  }
-  std::vector<std::pair<double, std::uint32_t>> nearest;
-  for (const std::uint32_t b : movable) nearest.emplace_back(length(x_.bodies[b].p - x_.bodies[worst].p), b);
-  std::ranges::sort(nearest);
-  const std::size_t count = std::min<std::size_t>(movable.size(), 1 + rng_.index(5));
-  std::vector<std::pair<double, std::uint32_t>> out = {{-p_.data.bodies[worst].area * rng_.uniform(0.5, 2), worst}};
-  for (std::size_t i = 1; i < count; ++i) {
-    const std::uint32_t b =
-        rng_.uniform() < 0.7 ? nearest[i].second : movable[rng_.index(static_cast<std::uint32_t>(movable.size()))];
-    if (std::ranges::none_of(out, [b](const auto& o) { return o.second == b; }))
-      out.emplace_back(-p_.data.bodies[b].area * rng_.uniform(0.5, 2), b);
-  }
-  std::ranges::sort(out);
-  // Left behind, what stands on a table would hold it where it is.
-  const bool along = rng_.uniform() < 0.6;
-  for (std::size_t i = 0; i < out.size() && along; ++i) {
-    for (const std::uint32_t f : p_.followers[out[i].second]) {
-      if (std::ranges::none_of(out, [f](const auto& o) { return o.second == f; })) out.emplace_back(0, f);
-    }
-  }
-  for (const auto& [key, b] : out) placer_->lift(b);
-  for (const auto& [key, b] : out) placer_->place(b, rng_, 24);
-}
-
-/// After a feasible layout has settled with somebody far from where the constraints want him: takes out whom they cost
-/// most, with neighbours, and keeps what comes out better.
-void Solver::refine(int& iteration) {
-  const double good = kGood * std::sqrt(total_gamma());
-  for (int round = 0, fruitless = 0;
-       round < kRefinements && fruitless < kFruitless && best_score_.energy > good && !cancelled(); ++round) {
-    const double before = best_score_.energy;
-    x_.bodies = best_.bodies, x_.boxes = best_.boxes, x_.frames = best_.frames;
-    placer_->reset(std::vector<bool>(p_.data.bodies.size(), true));
-    std::vector<double> load(p_.data.bodies.size());
-    for (std::uint32_t b = 0; b < load.size(); ++b) load[b] = placer_->cost(b);
-    relocate_few(load);
-    schedule_ = 6;
-    for (int i = 0; i < kSettling; ++i, ++iteration) {
-      iterate();
-      keep(score());
-    }
-    if (const Score s = score(); !s.feasible() && s.worst < kPolishable) polish();
-    fruitless = best_score_.energy < before * (1 - kImprovement) ? 0 : fruitless + 1;
-  }
-}
-
 int Solver::iteration_limit() const {
   const double n = static_cast<double>(p_.data.bodies.size());
   return n <= kMany
@@ -407,7 +227,7 @@ Layout Solver::run(std::vector<TraceRow>* trace) {
     const Score s = score();
     const bool was_feasible = has_best_ && best_score_.feasible();
     keep(s);
-    if (trace != nullptr) trace->push_back({start_, iteration, s.energy, s.violation, s.feasible(), relocated});
+    if (trace != nullptr) trace->push_back({start_ + 1, iteration, s.energy, s.violation, s.feasible(), relocated});
     relocated = false;
     if (best_score_.feasible() != was_feasible) energy_mark = 1e300;
     ++since_energy, ++since_violation;
@@ -450,7 +270,7 @@ Layout Solver::run(std::vector<TraceRow>* trace) {
   out.feasible = best_score_.feasible();
   out.energy = best_score_.energy;
   out.violation = best_score_.violation;
-  out.start = start_;
+  out.start = start_ + 1;
   out.iterations = iteration;
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - clock).count();
   return out;

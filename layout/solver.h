@@ -18,6 +18,11 @@ class Solver {
   Layout run(std::vector<TraceRow>* trace);
 
  private:
+  /// An energy lower by less than this share is no improvement (as TVCG 4.3 stops its annealing).
+  static constexpr double kImprovement = 1e-3;
+  static constexpr double kPolishable = 0.1;  ///< metres: deeper overlaps take more than a polish
+  static constexpr std::size_t kMany = 64;    ///< more bodies than this are relocated all at once
+
   void begin();
   void begin_curves(std::vector<bool>& placed);
   void iterate();

@@ -73,7 +73,7 @@ std::string summary_line(const FurnishedRoom& room, std::size_t k) {
   line += s.report.feasible ? ": feasible" : ": NOT feasible";
   line += ", " + counted(s.scene.objects.size(), "object") + ", energy " + fixed(s.report.energy, 3);
   line += ", " + counted(static_cast<std::size_t>(s.layout.iterations), "iteration") + ", start " +
-          std::to_string(s.layout.start + 1);
+          std::to_string(s.layout.start);
   line += ", " + fixed(1000 * room.seconds, 1) + " ms\n";
   return line;
 }

@@ -11,8 +11,8 @@ namespace inhabit::layout {
 /// parted along a fixed direction.
 struct DistanceTerm : Term {
   Anchor a, b;
-  double low = 0, high = 0;
   bool b_pinned = false;
+  double low = 0, high = 0;
   static constexpr TermTraits kTraits{};
 };
 

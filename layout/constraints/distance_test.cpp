@@ -91,11 +91,11 @@ TEST_CASE("distance: a document's constraints become one term per pair") {
   REQUIRE(terms.size() == 3);
   CHECK(terms[0].low == 0);
   CHECK(terms[0].high == 1);
-  CHECK(terms[0].gamma == 7);
-  CHECK(ready.problem.slots[terms[0].slot] == StiffnessSlot{inhabit::pbd::Schedule::decreasing, 0.25});
+  CHECK(ready.problem.gamma(terms[0]) == 7);
+  CHECK(ready.problem.slots[terms[0].slot] == Slot{inhabit::pbd::Schedule::decreasing, 0.25, 7});
   CHECK(terms[1].low == 2);
   CHECK(terms[1].high == 1e300);
   CHECK(terms[1].b_pinned);
-  CHECK(terms[2].gamma == 1);
+  CHECK(ready.problem.gamma(terms[2]) == 1);
   CHECK(std::abs(error(terms[0], ready.x) - 4) < 1e-15);
 }

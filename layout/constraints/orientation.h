@@ -10,8 +10,8 @@ namespace inhabit::layout {
 /// Only a turns, by the shortest way; positions stay (TVCG 3.3.10). Coincident objects ask for nothing.
 struct OrientationTerm : Term {
   Anchor a, to;
-  double angle = 0;
   bool parallel = false;
+  double angle = 0;
   static constexpr TermTraits kTraits{.schedule = pbd::Schedule::constant, .angular = true, .stiffness = 1};
 };
 

@@ -12,8 +12,8 @@ namespace inhabit::layout {
 /// fits, otherwise its centre does.
 struct StackingTerm : Term {
   Anchor upper, lower;
-  Vec3 upper_size, lower_size;
   bool anywhere = false;
+  Vec3 upper_size, lower_size;
   static constexpr TermTraits kTraits{.schedule = pbd::Schedule::constant, .stiffness = 1};
 };
 

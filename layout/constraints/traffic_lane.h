@@ -12,9 +12,9 @@ namespace inhabit::layout {
 /// lane leaves to the left.
 struct TrafficLaneTerm : Term {
   Anchor member, from;
+  bool from_fixed = true;
   Vec2 heading;  ///< of the lane, in the frame of `from`
   double clearance = 0;
-  bool from_fixed = true;
   static constexpr TermTraits kTraits{};
 };
 

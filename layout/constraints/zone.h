@@ -1,4 +1,6 @@
 #pragma once
+#include <memory>
+
 #include "layout/constraint.h"
 
 namespace inhabit::layout {
@@ -12,17 +14,22 @@ namespace inhabit::layout {
 /// by up to a diagonal where centimetres would do, which tight rooms do not have. `sphere` is the paper's own form.
 struct Zone : Term {
   std::optional<Anchor> owner;
-  Box box;                            ///< in the owner's frame, or in the room
-  Ring ring;                          ///< instead of the box, in the room: convex, counter-clockwise
-  double radius = 0;                  ///< of the circle about the centre that holds it
-  double low = 0, high = 1e9;         ///< z range
-  std::vector<std::uint32_t> only;    ///< boxes that it concerns, sorted; all when empty
-  std::vector<std::uint32_t> exempt;  ///< boxes that may stand in it, sorted
-  std::string_view type = "accessibility";
+  Box box;                     ///< in the owner's frame, or in the room
+  double radius = 0;           ///< of the circle about the centre that holds it
+  double low = 0, high = 1e9;  ///< z range
+  /// What few zones have, or many have in common; null when there is nothing of it.
+  struct Details {
+    Ring ring;                          ///< instead of the box, in the room: convex, counter-clockwise
+    std::vector<std::uint32_t> only;    ///< boxes that it concerns, sorted; all when empty
+    std::vector<std::uint32_t> exempt;  ///< boxes that may stand in it, sorted
+    friend bool operator==(const Details&, const Details&) = default;
+  };
+  std::shared_ptr<const Details> details;
   static constexpr TermTraits kTraits{.schedule = pbd::Schedule::constant, .stiffness = 0.9, .gamma = 150};
 
   bool concerns(std::uint32_t b) const {
-    return (only.empty() || std::ranges::binary_search(only, b)) && !std::ranges::binary_search(exempt, b);
+    return !details || ((details->only.empty() || std::ranges::binary_search(details->only, b)) &&
+                        !std::ranges::binary_search(details->exempt, b));
   }
 };
 
@@ -38,8 +45,8 @@ inline Vec2 zone_center(const Zone& z, const State& x) {
 
 /// How far and whither a box has to move to leave the zone.
 inline Separation zone_separation(const Zone& z, const Box& box, const State& x, bool sphere) {
-  const Separation s =
-      z.ring.empty() ? separation(box, zone_box(z, x)) : separation(box, std::span<const Vec2>(z.ring));
+  const bool ring = z.details && !z.details->ring.empty();
+  const Separation s = ring ? separation(box, std::span<const Vec2>(z.details->ring)) : separation(box, zone_box(z, x));
   if (!sphere || s.depth <= 0) return s;
   const Vec2 d = box.center - zone_center(z, x);
   const double l = length(d);
@@ -66,38 +73,28 @@ inline Box face_zone(const Vec3& size, int face, double depth) {
 }  // namespace detail
 
 template <class Out>
-void add_face_zone(Ref object, int face, double depth, std::string_view type, const Members& only, const Strength* s,
-                   Out& out) {
+void add_face_zone(Ref object, int face, double depth, const Members& only, const Strength& s, Out& out) {
   if (depth <= 0) return;
   Zone z;
   z.owner = out.anchor(object);
   z.box = detail::face_zone(out.size(object), face, depth);
   z.radius = z.box.radius();
-  z.type = type;
-  out.add_zone(std::move(z), object, only, s);
+  out.add_zone(std::move(z), {}, object, only, s);
 }
 
 template <class Out>
 void expand(const scene::Accessibility& c, Out& out) {
-  add_face_zone(c.object, c.face, c.depth, "accessibility", c.members, &c, out);
-}
-
-template <class Out>
-void add_ring_zone(const Ring& ring, std::string_view type, const Members& only, const Strength* s, Out& out) {
-  for (Ring& part : convex_parts(ring)) {
-    Zone z;
-    z.type = type;
-    const Vec2 c = bounds(part).center();
-    for (const Vec2 p : part) z.radius = std::max(z.radius, length(p - c));
-    z.box.center = c;
-    z.ring = std::move(part);
-    out.add_zone(std::move(z), Ref{}, only, s);
-  }
+  add_face_zone(c.object, c.face, c.depth, c.members, c, out);
 }
 
 template <class Out>
 void expand(const scene::KeepOut& c, Out& out) {
-  add_ring_zone(c.polygon, "keep_out", c.members, &c, out);
+  for (Ring& part : convex_parts(c.polygon)) {
+    Zone z;
+    z.box.center = bounds(part).center();
+    for (const Vec2 p : part) z.radius = std::max(z.radius, length(p - z.box.center));
+    out.add_zone(std::move(z), {.ring = std::move(part)}, Ref{}, c.members, c);
+  }
 }
 
 /// The straight corridor between the inner middles of two doors (Yu et al. 2011 bend theirs along a Bezier curve).
@@ -106,11 +103,10 @@ void expand(const scene::Pathway& c, Out& out) {
   const Vec2 a = out.door_middle(c.between[0]), b = out.door_middle(c.between[1]);
   const Vec2 u = unit(b - a);
   Zone z;
-  z.type = "pathway";
   z.box = {0.5 * (a + b), u, length(b - a) / 2, c.width / 2};
   z.radius = z.box.radius();
   z.high = 2;
-  out.add_zone(std::move(z), Ref{}, Members{}, &c);
+  out.add_zone(std::move(z), {}, Ref{}, Members{}, c);
 }
 
 /// The view cone as the box that is as long as the view and as wide as the cone is in its middle.
@@ -123,11 +119,10 @@ void expand(const scene::Visibility& c, Out& out) {
     const SinCos half = sin_cos(std::min(view->angle / 2, 1.4));
     Zone z;
     z.owner = out.anchor(m);
-    z.type = "visibility";
     z.box = {
         {size.y / 2 + view->distance / 2, 0}, {1, 0}, view->distance / 2, view->distance / 2 * half.sin / half.cos};
     z.radius = z.box.radius();
-    out.add_zone(std::move(z), m, Members{}, &c);
+    out.add_zone(std::move(z), {}, m, Members{}, c);
   }
 }
 

@@ -1,0 +1,66 @@
+#include <algorithm>
+
+#include "layout/solver.h"
+
+/// Where everything stands before the first projection.
+namespace inhabit::layout {
+
+void Solver::begin() {
+  const std::size_t n = p_.data.bodies.size();
+  const Bounds& room = p_.room.extent();
+  std::vector<bool> placed(n);
+  std::vector<std::uint32_t> unplaced;
+  for (std::uint32_t b = 0; b < n; ++b) {
+    const BodyData& d = p_.data.bodies[b];
+    const bool keep = p_.has_start[b] && (d.w == 0 || options_.start == Start::given);
+    Pose pose = p_.start[b];
+    if (!keep) {
+      for (int i = 0; i < 32; ++i) {
+        pose.p = {rng_.uniform(room.min.x, room.max.x), rng_.uniform(room.min.y, room.max.y)};
+        if (p_.room.contains(pose.p)) break;
+      }
+    }
+    if (d.turns && !(options_.start == Start::given && p_.has_angle[b])) pose.angle = rng_.uniform(-kPi, kPi);
+    x_.place(b, pose.p, pose.angle);
+    placed[b] = keep;
+    if (!keep) unplaced.push_back(b);
+  }
+  if (unplaced.empty()) {
+    settles_ = true;
+    schedule_ = 20;  // warm: soft constraints correct, they do not rearrange
+    return;
+  }
+  if (options_.start == Start::random) return;
+  begin_curves(placed);
+  std::erase_if(unplaced, [&](std::uint32_t b) { return placed[b]; });
+  // Large before small, with some chance, so that starts differ. In a large scene equals go in the order of the
+  // document: members of one tier are neighbours in the room and so in memory.
+  std::vector<std::pair<double, std::uint32_t>> order;
+  for (const std::uint32_t b : unplaced) {
+    const double area = p_.data.bodies[b].area;
+    order.emplace_back(-area * (n > kMany ? 1 : rng_.uniform(0.7, 1.3)), b);
+  }
+  std::ranges::sort(order);
+  placer_->reset(placed);
+  const int tries = n > kMany ? 16 : 32;
+  for (const auto& [key, b] : order) placer_->place(b, rng_, tries);
+}
+
+/// Members of a curve start evenly along it.
+void Solver::begin_curves(std::vector<bool>& placed) {
+  for (const CurveTerm& c : p_.of<CurveTerm>()) {
+    if (c.curve.medial_axis) continue;
+    const double total = detail::curve_length(c.curve), n = static_cast<double>(c.members.size());
+    const double step = c.spacing && *c.spacing * (n - 1) <= total ? *c.spacing : (n > 1 ? total / (n - 1) : 0);
+    double at = (total - step * (n - 1)) / 2;
+    for (const Anchor& m : c.members) {
+      if (!m.group() && !placed[m.body] && x_.w(m) > 0) {
+        x_.place(m.body, detail::curve_point(c.curve, at), x_.bodies[m.body].angle);
+        placed[m.body] = true;
+      }
+      at += step;
+    }
+  }
+}
+
+}  // namespace inhabit::layout
