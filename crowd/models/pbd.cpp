@@ -139,9 +139,9 @@ void Pbd::State::search(Agents& agents, const Walls& walls) {
   agents.permute(grid.order());
 
   work.count = n;
-  for (FloatArray* array :
-       {&work.x, &work.y, &work.next_x, &work.next_y, &work.predicted_x, &work.predicted_y, &work.corrected_x,
-        &work.corrected_y, &work.vx, &work.vy, &work.wish_x, &work.wish_y, &work.maximum_speed})
+  for (FloatArray* array : {&work.x, &work.y, &work.next_x, &work.next_y, &work.base_x, &work.base_y, &work.moved_x,
+                            &work.moved_y, &work.predicted_x, &work.predicted_y, &work.corrected_x, &work.corrected_y,
+                            &work.vx, &work.vy, &work.wish_x, &work.wish_y, &work.maximum_speed})
     resize_padded(*array, n);
   work.radius.clear(), work.mass.clear();
   if (!alike) resize_padded(work.radius, n), resize_padded(work.mass, n);
@@ -206,6 +206,10 @@ void Pbd::State::advance(const Walls& walls) {
     for_each_chunk([&](std::size_t c) {
       finish(work, constants, c);
       hold_walls(walls, work.next_x, work.next_y, c);
+      for (const NearWall& near : work.chunks[c].walls) {
+        work.moved_x[near.agent] = work.next_x[near.agent] - work.base_x[near.agent];
+        work.moved_y[near.agent] = work.next_y[near.agent] - work.base_y[near.agent];
+      }
     });
     work.x.swap(work.next_x), work.y.swap(work.next_y);
   }
@@ -231,10 +235,27 @@ void Pbd::step(Agents& agents, const Surroundings& around) {
 std::size_t Pbd::bytes() const {
   const State& s = *state_;
   std::size_t total = 0;
-  for (const FloatArray* array :
-       {&s.work.x, &s.work.y, &s.work.next_x, &s.work.next_y, &s.work.predicted_x, &s.work.predicted_y,
-        &s.work.corrected_x, &s.work.corrected_y, &s.work.vx, &s.work.vy, &s.work.wish_x, &s.work.wish_y,
-        &s.work.maximum_speed, &s.work.radius, &s.work.mass, &s.built_x, &s.built_y})
+  for (const FloatArray* array : {&s.work.x,
+                                  &s.work.y,
+                                  &s.work.next_x,
+                                  &s.work.next_y,
+                                  &s.work.base_x,
+                                  &s.work.base_y,
+                                  &s.work.moved_x,
+                                  &s.work.moved_y,
+                                  &s.work.predicted_x,
+                                  &s.work.predicted_y,
+                                  &s.work.corrected_x,
+                                  &s.work.corrected_y,
+                                  &s.work.vx,
+                                  &s.work.vy,
+                                  &s.work.wish_x,
+                                  &s.work.wish_y,
+                                  &s.work.maximum_speed,
+                                  &s.work.radius,
+                                  &s.work.mass,
+                                  &s.built_x,
+                                  &s.built_y})
     total += array->capacity() * sizeof(float);
   for (const Chunk& chunk : s.work.chunks)
     total += sizeof(Chunk) + (chunk.contacts.items.capacity() + chunk.far.items.capacity()) * sizeof(std::int32_t) +

@@ -106,8 +106,11 @@ void predict(Work& work, const Constants& k, std::size_t chunk) {
         hn::Add(hn::Mul(keep, hn::Load(kD, work.vx.data() + i)), hn::Mul(blend, hn::Load(kD, work.wish_x.data() + i)));
     const V by =
         hn::Add(hn::Mul(keep, hn::Load(kD, work.vy.data() + i)), hn::Mul(blend, hn::Load(kD, work.wish_y.data() + i)));
-    hn::Store(hn::Add(hn::Load(kD, work.x.data() + i), hn::Mul(part, bx)), kD, work.predicted_x.data() + i);
-    hn::Store(hn::Add(hn::Load(kD, work.y.data() + i), hn::Mul(part, by)), kD, work.predicted_y.data() + i);
+    const V x = hn::Load(kD, work.x.data() + i), y = hn::Load(kD, work.y.data() + i);
+    hn::Store(x, kD, work.base_x.data() + i), hn::Store(y, kD, work.base_y.data() + i);
+    hn::Store(hn::Zero(kD), kD, work.moved_x.data() + i), hn::Store(hn::Zero(kD), kD, work.moved_y.data() + i);
+    hn::Store(hn::Add(x, hn::Mul(part, bx)), kD, work.predicted_x.data() + i);
+    hn::Store(hn::Add(y, hn::Mul(part, by)), kD, work.predicted_y.data() + i);
   }
 }
 
@@ -157,14 +160,24 @@ void finish(Work& work, const Constants& k, std::size_t chunk) {
   const V keep = set(1 - k.blend), blend = set(k.blend), part = set(k.part), inverse = set(k.inverse_part);
   for (std::size_t i = begin; i < end; i += hn::Lanes(kD)) {
     const V x = hn::Load(kD, work.x.data() + i), y = hn::Load(kD, work.y.data() + i);
-    V vx = hn::Mul(hn::Sub(hn::Load(kD, work.corrected_x.data() + i), x), inverse);
-    V vy = hn::Mul(hn::Sub(hn::Load(kD, work.corrected_y.data() + i), y), inverse);
+    const V wish_x = hn::Load(kD, work.wish_x.data() + i), wish_y = hn::Load(kD, work.wish_y.data() + i);
+    // The blended velocity plus what was corrected: the difference of positions alone would lose it to rounding far
+    // from the origin.
+    V vx = hn::Add(hn::Mul(keep, hn::Load(kD, work.vx.data() + i)), hn::Mul(blend, wish_x));
+    V vy = hn::Add(hn::Mul(keep, hn::Load(kD, work.vy.data() + i)), hn::Mul(blend, wish_y));
+    const V begun_x = hn::Add(x, hn::Mul(part, vx)), begun_y = hn::Add(y, hn::Mul(part, vy));
+    vx = hn::Add(vx, hn::Mul(hn::Sub(hn::Load(kD, work.corrected_x.data() + i), begun_x), inverse));
+    vy = hn::Add(vy, hn::Mul(hn::Sub(hn::Load(kD, work.corrected_y.data() + i), begun_y), inverse));
     shorten(vx, vy, hn::Load(kD, work.maximum_speed.data() + i));
-    const V new_x = hn::Add(x, hn::Mul(part, vx)), new_y = hn::Add(y, hn::Mul(part, vy));
+    const V moved_x = hn::Add(hn::Load(kD, work.moved_x.data() + i), hn::Mul(part, vx));
+    const V moved_y = hn::Add(hn::Load(kD, work.moved_y.data() + i), hn::Mul(part, vy));
+    hn::Store(moved_x, kD, work.moved_x.data() + i), hn::Store(moved_y, kD, work.moved_y.data() + i);
+    const V new_x = hn::Add(hn::Load(kD, work.base_x.data() + i), moved_x);
+    const V new_y = hn::Add(hn::Load(kD, work.base_y.data() + i), moved_y);
     hn::Store(vx, kD, work.vx.data() + i), hn::Store(vy, kD, work.vy.data() + i);
     hn::Store(new_x, kD, work.next_x.data() + i), hn::Store(new_y, kD, work.next_y.data() + i);
-    const V bx = hn::Add(hn::Mul(keep, vx), hn::Mul(blend, hn::Load(kD, work.wish_x.data() + i)));
-    const V by = hn::Add(hn::Mul(keep, vy), hn::Mul(blend, hn::Load(kD, work.wish_y.data() + i)));
+    const V bx = hn::Add(hn::Mul(keep, vx), hn::Mul(blend, wish_x));
+    const V by = hn::Add(hn::Mul(keep, vy), hn::Mul(blend, wish_y));
     hn::Store(hn::Add(new_x, hn::Mul(part, bx)), kD, work.predicted_x.data() + i);
     hn::Store(hn::Add(new_y, hn::Mul(part, by)), kD, work.predicted_y.data() + i);
   }
@@ -275,19 +288,18 @@ void foresee(const Work& work, const Constants& k, std::size_t chunk, float* out
             const V mj = hn::GatherIndex(kD, work.mass.data(), other);
             share = hn::Div(mj, hn::Add(mi, mj));
           }
-          V px, py;
+          // What slides past; of a head-on pair a nudge, so that each passes on its right [eq. 4.11 to 4.13].
+          const V un = hn::Add(hn::Mul(ux, nx), hn::Mul(uy, ny));
+          V tx = hn::Sub(ux, hn::Mul(un, nx)), ty = hn::Sub(uy, hn::Mul(un, ny));
+          const M head_on = hn::Lt(hn::Add(hn::Mul(tx, tx), hn::Mul(ty, ty)), hn::Mul(set(1e-4f), a));
+          const V nudge = hn::Mul(set(0.01f), hn::Sqrt(a));
+          tx = hn::Mul(dt, hn::IfThenElse(head_on, hn::Neg(hn::Mul(ny, nudge)), tx));
+          ty = hn::Mul(dt, hn::IfThenElse(head_on, hn::Mul(nx, nudge), ty));
+          V px = tx, py = ty;
           if (k.far == 1) {  // the future contact itself, as a displacement of this step [4.2.4]
             const V depth = hn::Max(hn::Sub(reach, distance), hn::Zero(kD));
-            px = hn::Mul(depth, nx), py = hn::Mul(depth, ny);
-          } else {  // only what slides past [eq. 4.11 to 4.13]; head-on pairs pass on the right
-            const V un = hn::Add(hn::Mul(ux, nx), hn::Mul(uy, ny));
-            V tx = hn::Sub(ux, hn::Mul(un, nx)), ty = hn::Sub(uy, hn::Mul(un, ny));
-            const V slid2 = hn::Add(hn::Mul(tx, tx), hn::Mul(ty, ty));
-            const M head_on = hn::Lt(slid2, hn::Mul(set(1e-4f), a));
-            const V nudge = hn::Mul(set(0.01f), hn::Sqrt(a));
-            tx = hn::IfThenElse(head_on, hn::Neg(hn::Mul(ny, nudge)), tx);
-            ty = hn::IfThenElse(head_on, hn::Mul(nx, nudge), ty);
-            px = hn::Mul(dt, tx), py = hn::Mul(dt, ty);
+            px = hn::Add(hn::Mul(depth, nx), hn::IfThenElseZero(head_on, tx));
+            py = hn::Add(hn::Mul(depth, ny), hn::IfThenElseZero(head_on, ty));
           }
           const V weight = hn::IfThenElseZero(valid, hn::Mul(share, stiffness));
           sx = hn::Add(sx, hn::Mul(weight, px)), sy = hn::Add(sy, hn::Mul(weight, py));

@@ -49,7 +49,8 @@ State random_state(std::size_t count, bool alike, int far, std::uint64_t seed) {
   };
   for (FloatArray* v : {&w.vx, &w.vy, &w.wish_x, &w.wish_y}) fill(*v, count, random(-1.5, 1.5));
   fill(w.maximum_speed, count, random(0.5, 2));
-  for (FloatArray* v : {&w.next_x, &w.next_y, &w.predicted_x, &w.predicted_y, &w.corrected_x, &w.corrected_y})
+  for (FloatArray* v : {&w.next_x, &w.next_y, &w.predicted_x, &w.predicted_y, &w.base_x, &w.base_y, &w.moved_x,
+                        &w.moved_y, &w.corrected_x, &w.corrected_y})
     fill(*v, count, {});
   w.common_radius = 0.5f;
   if (!alike) {

@@ -81,11 +81,13 @@ std::optional<Vec> response_to_come(const Work& work, const Constants& k, std::s
   const float distance = norm(then);
   const Vec n = (1 / std::max(distance, 1e-6f)) * then;
   const float weight = share_of(work, i, j) * stiffness;
-  if (k.far == 1) return weight * (std::max(reach - distance, 0.0f) * n);
   Vec t = u - dot(u, n) * n;
-  if (dot(t, t) < 1e-4f * a) {
-    const float nudge = 0.01f * std::sqrt(a);
-    t = {-(n.y * nudge), n.x * nudge};
+  const bool head_on = dot(t, t) < 1e-4f * a;
+  const float nudge = 0.01f * std::sqrt(a);
+  if (head_on) t = {-(n.y * nudge), n.x * nudge};
+  if (k.far == 1) {
+    const Vec contact = std::max(reach - distance, 0.0f) * n;
+    return weight * (contact + k.dt * (head_on ? t : Vec{}));
   }
   return weight * (k.dt * t);
 }
@@ -195,7 +197,10 @@ void stabilise(const Work& work, const Constants& k, std::size_t chunk, float* o
 void predict(Work& work, const Constants& k, std::size_t chunk) {
   const std::size_t begin = chunk * kChunk;
   for (std::size_t i = begin; i < begin + work.blocks_of(chunk) * kLanes; ++i) {
-    const Vec to = at(work.x, work.y, i) + k.part * blended(work, k, i);
+    const Vec x = at(work.x, work.y, i);
+    work.base_x[i] = x.x, work.base_y[i] = x.y;
+    work.moved_x[i] = work.moved_y[i] = 0;
+    const Vec to = x + k.part * blended(work, k, i);
     work.predicted_x[i] = to.x, work.predicted_y[i] = to.y;
   }
 }
@@ -229,8 +234,12 @@ void finish(Work& work, const Constants& k, std::size_t chunk) {
   const std::size_t begin = chunk * kChunk;
   for (std::size_t i = begin; i < begin + work.blocks_of(chunk) * kLanes; ++i) {
     const Vec x = at(work.x, work.y, i);
-    const Vec v = shortened(k.inverse_part * (at(work.corrected_x, work.corrected_y, i) - x), work.maximum_speed[i]);
-    const Vec to = x + k.part * v;
+    const Vec begun = x + k.part * blended(work, k, i);
+    const Vec corrected = at(work.corrected_x, work.corrected_y, i) - begun;
+    const Vec v = shortened(blended(work, k, i) + k.inverse_part * corrected, work.maximum_speed[i]);
+    const Vec moved = at(work.moved_x, work.moved_y, i) + k.part * v;
+    const Vec to = at(work.base_x, work.base_y, i) + moved;
+    work.moved_x[i] = moved.x, work.moved_y[i] = moved.y;
     work.vx[i] = v.x, work.vy[i] = v.y;
     work.next_x[i] = to.x, work.next_y[i] = to.y;
     const Vec p = to + k.part * blended(work, k, i);

@@ -41,8 +41,10 @@ struct Chunk {
 /// What a step needs of the agents, in their order.
 struct Work {
   std::size_t count = 0;
-  FloatArray x, y;            ///< where they are
-  FloatArray next_x, next_y;  ///< where they will be
+  FloatArray x, y;              ///< where they are
+  FloatArray next_x, next_y;    ///< where they will be
+  FloatArray base_x, base_y;    ///< where they were when the sub-steps began, and
+  FloatArray moved_x, moved_y;  ///< how far they have come since: kept apart, or a float would round it away
   FloatArray predicted_x, predicted_y;
   FloatArray corrected_x, corrected_y;
   FloatArray vx, vy, wish_x, wish_y, maximum_speed;
