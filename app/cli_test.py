@@ -194,9 +194,11 @@ def test_rooms(folder):
 
 def test_house_rules(folder):
     """What nobody asked for may be missed, where it is furnished and where its file is checked."""
-    room = {"outline": [[0, 0], [1.3, 0], [1.3, 3], [0, 3]]}
-    things = [{"id": name, "kind": kind, "size": size} for name, kind, size in (("sofa", "sofa", [1.2, 0.8, 0.8]), ("tv", "tv", [0.9, 0.3, 0.6]),
-                                                                               ("table", "coffee table", [1.1, 0.6, 0.45]))]
+    room = {"outline": [[0, 0], [4, 0], [4, 4], [0, 4]]}
+    # Every wall is taken: the wardrobe cannot stand at one.
+    shelves = [{"id": f"shelf-{k}", "kind": "bookcase", "size": [3.3, 0.3, 2], "position": [x, y, 0], "angle": angle, "fixed": True}
+               for k, (x, y, angle) in enumerate(((2, 0.15, 90), (3.85, 2, 180), (2, 3.85, -90), (0.15, 2, 0)))]
+    things = [*shelves, {"id": "closet", "kind": "wardrobe", "size": [1.5, 0.6, 2]}]
     scene, out = folder / "scene.json", folder / "out.json"
     scene.write_text(json.dumps({"format": "inhabit-scene", "version": 1, "space": room, "objects": things}))
     assert "house rules, which may be missed" in run("furnish", scene, "--house-rules", "-o", out).stdout
