@@ -14,7 +14,8 @@ namespace {
 // from thread to thread as races. So this file is not instrumented either (CMakeLists.txt), and says what the loop
 // promises: what came before it is before every call, and every call is before what follows it. It says nothing of two
 // calls: a race between bodies is reported like any other. Suppressions by name could not tell the two apart, because a
-// body's stack always ends in oneTBB. Nothing is suppressed; unseen is only what libraries do inside themselves.
+// body's stack always ends in oneTBB. No race of ours is suppressed; unseen is only what libraries do inside
+// themselves.
 #ifdef INHABIT_THREAD_SANITIZER
 struct Loop {
   Loop() { __tsan_release(&before); }
