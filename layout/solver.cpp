@@ -78,11 +78,9 @@ void Solver::set_stiffness() {
 template <class Sink>
 void Solver::project_boundary(double k, Sink& sink) {
   if (!p_.boundary) return;
-  for (std::uint32_t i = 0; i < x_.boxes.size(); ++i) {
-    const std::uint32_t body = p_.data.boxes[i].body;
-    if (p_.data.bodies[body].w <= 0) continue;
+  p_.for_each_movable_box([&](std::uint32_t i, std::uint32_t body) {
     p_.room.for_each_violation(x_.boxes[i], [&](Vec2 n, double depth) { sink.shift(Anchor{body}, (k * depth) * n); });
-  }
+  });
 }
 
 template <class Sink>
@@ -150,15 +148,14 @@ Score Solver::score() {
     }
   });
   if (p_.boundary) {
-    for (std::uint32_t i = 0; i < x_.boxes.size(); ++i) {
-      // What cannot move stands as it is given.
-      if (p_.data.bodies[p_.data.boxes[i].body].w <= 0) continue;
+    // What cannot move stands as it is given.
+    p_.for_each_movable_box([&](std::uint32_t i, std::uint32_t) {
       double deepest = 0;
       p_.room.for_each_violation(x_.boxes[i], [&](Vec2, double depth) { deepest = std::max(deepest, depth); });
       s.violation += deepest;
       s.worst = std::max(s.worst, deepest);
       squares += p_.boundary_gamma * deepest * deepest;
-    }
+    });
   }
   contacts_.refresh(x_);
   contacts_.score(x_, s, squares);
