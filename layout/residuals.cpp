@@ -35,7 +35,8 @@ Residuals residuals(const Scene& scene) {
   Contacts contacts(p);
   contacts.refresh(x);
   Score s;
-  contacts.score(x, s, squares);
+  contacts.score_collisions(x, s, squares);
+  contacts.score_zones(x, s, squares);
   p.for_each_movable_box([&](std::uint32_t i, std::uint32_t) {  // what is pinned is taken as given
     double deepest = 0;
     p.room.for_each_violation(x.boxes[i], [&](Vec2, double depth) { deepest = std::max(deepest, depth); });
