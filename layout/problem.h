@@ -96,6 +96,15 @@ struct Problem {
     });
   }
 
+  /// Calls f(box, body) for the boxes of every particle that can move, in order.
+  template <class F>
+  void for_each_movable_box(F&& f) const {
+    for (std::uint32_t b = 0; b < data.bodies.size(); ++b) {
+      const BodyData& d = data.bodies[b];
+      for (std::uint32_t i = d.first_box; i < d.first_box + d.boxes && d.w > 0; ++i) f(i, b);
+    }
+  }
+
   /// Radius of the circle about the zone's particle, or its own centre, that holds it whatever the particle's heading.
   double zone_reach(std::uint32_t z) const {
     const Zone& zone = zones[z];

@@ -35,13 +35,13 @@ Residuals residuals(const Scene& scene) {
   Contacts contacts(p);
   contacts.refresh(x);
   Score s;
-  contacts.score(x, s, squares);
-  for (std::size_t i = 0; i < x.boxes.size(); ++i) {
-    if (p.data.bodies[p.data.boxes[i].body].w <= 0) continue;  // what is pinned is taken as given
+  contacts.score_collisions(x, s, squares);
+  contacts.score_zones(x, s, squares);
+  p.for_each_movable_box([&](std::uint32_t i, std::uint32_t) {  // what is pinned is taken as given
     double deepest = 0;
     p.room.for_each_violation(x.boxes[i], [&](Vec2, double depth) { deepest = std::max(deepest, depth); });
     squares += p.boundary_gamma * deepest * deepest;
-  }
+  });
   out.energy = std::sqrt(squares);
   return out;
 }

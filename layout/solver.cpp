@@ -78,11 +78,9 @@ void Solver::set_stiffness() {
 template <class Sink>
 void Solver::project_boundary(double k, Sink& sink) {
   if (!p_.boundary) return;
-  for (std::uint32_t i = 0; i < x_.boxes.size(); ++i) {
-    const std::uint32_t body = p_.data.boxes[i].body;
-    if (p_.data.bodies[body].w <= 0) continue;
+  p_.for_each_movable_box([&](std::uint32_t i, std::uint32_t body) {
     p_.room.for_each_violation(x_.boxes[i], [&](Vec2 n, double depth) { sink.shift(Anchor{body}, (k * depth) * n); });
-  }
+  });
 }
 
 template <class Sink>
@@ -139,6 +137,21 @@ double Solver::total_gamma() const {
   return sum;
 }
 
+void Solver::score_violations(Score& s, double& squares) {
+  if (p_.boundary) {
+    // What cannot move stands as it is given.
+    p_.for_each_movable_box([&](std::uint32_t i, std::uint32_t) {
+      double deepest = 0;
+      p_.room.for_each_violation(x_.boxes[i], [&](Vec2, double depth) { deepest = std::max(deepest, depth); });
+      s.violation += deepest;
+      s.worst = std::max(s.worst, deepest);
+      squares += p_.boundary_gamma * deepest * deepest;
+    });
+  }
+  contacts_.refresh(x_);
+  contacts_.score_collisions(x_, s, squares);
+}
+
 Score Solver::score() {
   Score s;
   double squares = 0;
@@ -149,19 +162,8 @@ Score Solver::score() {
       s.slack = std::max(s.slack, std::abs(e));
     }
   });
-  if (p_.boundary) {
-    for (std::uint32_t i = 0; i < x_.boxes.size(); ++i) {
-      // What cannot move stands as it is given.
-      if (p_.data.bodies[p_.data.boxes[i].body].w <= 0) continue;
-      double deepest = 0;
-      p_.room.for_each_violation(x_.boxes[i], [&](Vec2, double depth) { deepest = std::max(deepest, depth); });
-      s.violation += deepest;
-      s.worst = std::max(s.worst, deepest);
-      squares += p_.boundary_gamma * deepest * deepest;
-    }
-  }
-  contacts_.refresh(x_);
-  contacts_.score(x_, s, squares);
+  score_violations(s, squares);
+  contacts_.score_zones(x_, s, squares);
   s.energy = std::sqrt(squares);
   return s;
 }
@@ -184,9 +186,11 @@ bool Solver::polish() {
     contacts_.project_collisions(x_, 1, sink);
     project_boundary(1, sink);
     if (i % 4 != 3) continue;
-    const Score s = score();
+    Score s;
+    double squares = 0;
+    score_violations(s, squares);
     done = s.feasible();
-    if (done) keep(s);
+    if (done) keep(score());
     if (s.violation > 0.9 * last) {
       if (moves-- <= 0) break;
       relocate();

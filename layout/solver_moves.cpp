@@ -17,12 +17,12 @@ constexpr double kFeasible = 1e-3;  ///< metres (scene.md)
 std::vector<double> Solver::loads() const {
   std::vector<double> load(p_.data.bodies.size());
   contacts_.add_load(x_, load);
-  for (std::uint32_t i = 0; i < x_.boxes.size() && p_.boundary; ++i) {
-    if (p_.data.bodies[p_.data.boxes[i].body].w <= 0) continue;
+  if (!p_.boundary) return load;
+  p_.for_each_movable_box([&](std::uint32_t i, std::uint32_t body) {
     double deepest = 0;
     p_.room.for_each_violation(x_.boxes[i], [&](Vec2, double depth) { deepest = std::max(deepest, depth); });
-    load[p_.data.boxes[i].body] += deepest;
-  }
+    load[body] += deepest;
+  });
   return load;
 }
 
