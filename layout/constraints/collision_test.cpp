@@ -114,7 +114,7 @@ TEST_CASE("collision: many boxes find the same pairs as few") {
     contacts.refresh(ready.x);
     Score s;
     double squares = 0, depth = 0;
-    contacts.score(ready.x, s, squares);
+    contacts.score_collisions(ready.x, s, squares);
     for (std::size_t i = 0; i < 80; ++i) {
       for (std::size_t j = i + 1; j < 80; ++j)
         depth += std::max(0.0, separation(ready.x.boxes[i], ready.x.boxes[j]).depth);
