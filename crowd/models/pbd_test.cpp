@@ -140,6 +140,21 @@ TEST_CASE("pbd: pressed into walls and corners people stay outside by their radi
   }
 }
 
+TEST_CASE("pbd: whoever passes the corner of a pillar is not thrown back by the side that he has passed") {
+  using namespace inhabit::geometry;
+  const Ring hall = {{-10, -10}, {10, -10}, {10, 10}, {-10, 10}}, pillar = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const Walls walls({make_floor(hall, {pillar})}, {}, 1);
+  Agents agents;
+  wish(agents, put(agents, 1.3, 1.35, 0.25), -1.4, 0);
+  Pbd model(game());
+  for (int k = 0; k < 72; ++k) {
+    model.step(agents, {walls, 1.0f / 48, 1});
+    REQUIRE(agents.vx[0] < 0);
+  }
+  CHECK(agents.x[0] < 0);
+  CHECK(std::abs(agents.y[0] - 1.35f) < 1e-4f);
+}
+
 TEST_CASE("pbd: a crush towards one point keeps people apart to 2 percent of a diameter") {
   inhabit::core::Rng rng(5);
   Agents agents;
