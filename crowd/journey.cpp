@@ -1,9 +1,11 @@
 #include "crowd/journey.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <limits>
 
+#include "core/parallel.h"
 #include "core/text.h"
 
 namespace inhabit::crowd {
@@ -12,6 +14,11 @@ namespace {
 constexpr std::size_t kMost = 65535;
 /// Waits end this early: sums of floats are not exact, and a step is a thousand times longer.
 constexpr float kMoment = 1e-5f;
+
+/// Boxes of so many goals are looked through in less time than everybody is asked, in blocks of so many people.
+constexpr std::size_t kMostBoxes = 4, kBlock = 4096;
+/// Positions are floats: boxes are larger than areas by this much, metres.
+constexpr double kRim = 0.01;
 
 using Legs = std::vector<std::vector<std::uint16_t>>;
 
@@ -61,9 +68,38 @@ Result<RouteBook> make_routes(const scene::Crowd& crowd) {
 
 Journeys::Journeys(const scene::Crowd& crowd, const World& world, Routes routes)
     : goals_(crowd.goals), routes_(std::move(routes)), origin_(world.origin) {
+  std::vector<std::uint8_t> used(goals_.size(), 0);
   for (const Legs& legs : routes_.legs)
     for (const std::vector<std::uint16_t>& leg : legs)
-      for (const std::uint16_t g : leg) endless_ = endless_ && goals_[g].direction.has_value();
+      for (const std::uint16_t g : leg) used[g] = 1;
+  bool everywhere = false;
+  for (std::size_t g = 0; g < goals_.size(); ++g) {
+    if (!used[g] || goals_[g].direction) continue;
+    endless_ = false;
+    everywhere = everywhere || goals_[g].area.size() < 3;
+    Bounds box = bounds(goals_[g].area);
+    box = {box.min - origin_, box.max - origin_};
+    boxes_.push_back({static_cast<float>(box.min.x - kRim), static_cast<float>(box.min.y - kRim),
+                      static_cast<float>(box.max.x + kRim), static_cast<float>(box.max.y + kRim)});
+  }
+  if (everywhere || boxes_.size() > kMostBoxes) boxes_.clear();
+}
+
+/// Sets flags_: who is in a goal of his leg. Few are near one, and only they are asked for exactly.
+void Journeys::find_arrivals(const Agents& agents, const Planner& planner, int threads) {
+  if (boxes_.empty()) return planner.arrived(agents, flags_, threads);
+  const std::size_t n = agents.size();
+  parallel_for((n + kBlock - 1) / kBlock, threads, [&](std::size_t b) {
+    const std::size_t begin = b * kBlock, end = std::min(n, begin + kBlock);
+    std::array<std::int32_t, kBlock> inside{};
+    for (const Box& box : boxes_) {
+      const float *x = &agents.x[begin], *y = &agents.y[begin];
+      for (std::size_t k = 0; k < end - begin; ++k)  // without branches: compilers turn it into vectors
+        inside[k] |= static_cast<std::int32_t>(x[k] >= box.low_x) & static_cast<std::int32_t>(x[k] <= box.high_x) &
+                     static_cast<std::int32_t>(y[k] >= box.low_y) & static_cast<std::int32_t>(y[k] <= box.high_y);
+    }
+    for (std::size_t i = begin; i < end; ++i) flags_[i] = inside[i - begin] != 0 && planner.arrived(agents, i);
+  });
 }
 
 const scene::Goal* Journeys::goal_at(const Agents& agents, std::size_t i) const {
@@ -118,7 +154,7 @@ void Journeys::advance(Agents& agents, const Planner& planner, double dt, int th
   if (endless_) return;
   const std::size_t n = agents.size();
   flags_.resize(n);
-  planner.arrived(agents, flags_, threads);
+  find_arrivals(agents, planner, threads);
   if (paused_ > 0)
     for (std::size_t i = 0; i < n; ++i) flags_[i] = flags_[i] | static_cast<std::uint8_t>(agents.wait[i] != 0);
   // Few flags are up, and bytes are found faster than they are looked at one by one.

@@ -33,13 +33,19 @@ class Journeys {
   const std::vector<scene::Goal>& goals() const { return goals_; }
 
  private:
+  struct Box {
+    float low_x, low_y, high_x, high_y;
+  };
   const scene::Goal* goal_at(const Agents& agents, std::size_t i) const;
+  void find_arrivals(const Agents& agents, const Planner& planner, int threads);
   void visit(Agents& agents, std::size_t i, double dt);
   void next_leg(Agents& agents, std::size_t i, const scene::Goal* goal);
 
   std::vector<scene::Goal> goals_;
   Routes routes_;
   Vec2 origin_;
+  /// Nobody arrives outside these; empty when there are too many to look through, or goals that are everywhere.
+  std::vector<Box> boxes_;
   bool endless_ = true;  ///< nobody ever arrives: there are but directions
   std::size_t arrived_ = 0;
   std::size_t paused_ = 0;  ///< people who wait or stay
