@@ -39,6 +39,7 @@ void place_on_grid(Taker& taker, Intake& intake) {
   std::vector<Vec2> points = grid_points(taker.population, taker.seed, taker.next_id);
   intake.asked = taker.population.count ? static_cast<std::size_t>(*taker.population.count) : points.size();
   if (points.size() > intake.asked) points.resize(intake.asked);
+  taker.agents.reserve(taker.agents.size() + points.size());  // no more than needed: they stay as long as the run
   std::size_t budget = kBudget;
   // Whoever is in nobody's way stays where he is; the others must not take those places.
   std::vector<Vec2> homeless;
