@@ -61,7 +61,8 @@ void measure(Simulated& done, crowd::OverlapMeter& meter, const crowd::Simulatio
 io::TrajectoryHeader header_of(const scene::Scene& scene, const crowd::Simulation& simulation, const SimulateJob& job) {
   io::TrajectoryHeader header;
   header.frame_rate = 1 / (simulation.dt() * job.every);
-  for (const geometry::Floor& floor : simulation.world().floors) header.walkable.push_back({floor.outline, floor.holes});
+  for (const geometry::Floor& floor : simulation.world().floors)
+    header.walkable.push_back({floor.outline, floor.holes});
   header.title = scene.name;
   header.producer_notes = "inhabit simulate";
   return header;
