@@ -55,6 +55,8 @@ class VoronoiGround::Cutter {
   Cutter(const VoronoiGround& ground, std::span<const Vec2> points, double spacing)
       : ground_(ground), points_(points), grid_(points, spacing) {}
 
+  const PointGrid& grid() const { return grid_; }
+
   Area cell(std::size_t i) {
     const Vec2 p = points_[i];
     begin(p);
@@ -190,7 +192,39 @@ class VoronoiGround::Cutter {
   double reach2_ = 0;
 };
 
-std::vector<Area> VoronoiGround::cells(std::span<const Vec2> points) const {
+namespace {
+
+double gap(const Bounds& b, Vec2 p) {
+  return length({std::max({b.min.x - p.x, 0.0, p.x - b.max.x}), std::max({b.min.y - p.y, 0.0, p.y - b.max.y})});
+}
+
+/// No place in `where` is farther than this from the nearest point: looked up at the middles of 8 × 8 tiles. Requires:
+/// at least one point.
+double farthest_from_points(std::span<const Vec2> points, const PointGrid& grid, const Bounds& where) {
+  constexpr int n = 8;
+  const Vec2 tile = (1.0 / n) * where.size();
+  double farthest = 0;
+  for (int i = 0; i < n * n; ++i) {
+    const Vec2 p = where.min + Vec2{(i % n + 0.5) * tile.x, (i / n + 0.5) * tile.y};
+    double nearest = 1e300;
+    for (std::int32_t k = 0; k == 0 || (k - 1) * grid.cell() < nearest; ++k)
+      if (!grid.for_each_in_ring(p, k, [&](std::size_t j) { nearest = std::min(nearest, length(points[j] - p)); }) &&
+          nearest < 1e300)
+        break;
+    farthest = std::max(farthest, nearest);
+  }
+  return farthest + length(tile) / 2;
+}
+
+}  // namespace
+
+std::vector<Area> VoronoiGround::cells(std::span<const Vec2> points) const { return cells(points, nullptr); }
+
+std::vector<Area> VoronoiGround::cells_meeting(std::span<const Vec2> points, const Bounds& where) const {
+  return cells(points, &where);
+}
+
+std::vector<Area> VoronoiGround::cells(std::span<const Vec2> points, const Bounds* where) const {
   std::vector<Area> cells(points.size());
   std::vector<std::size_t> standing;
   std::vector<Vec2> places;
@@ -204,7 +238,9 @@ std::vector<Area> VoronoiGround::cells(std::span<const Vec2> points) const {
   const Vec2 size = bounds(places).size();
   const double spacing = std::sqrt(std::max(size.x * size.y, 1e-6) / static_cast<double>(places.size()));
   Cutter cutter(*this, places, std::max(spacing, 0.05));
-  for (std::size_t k = 0; k < places.size(); ++k) cells[standing[k]] = cutter.cell(k);
+  const double reach = where != nullptr ? farthest_from_points(places, cutter.grid(), *where) + kTouch : 0;
+  for (std::size_t k = 0; k < places.size(); ++k)
+    if (where == nullptr || gap(*where, places[k]) <= reach) cells[standing[k]] = cutter.cell(k);
   return cells;
 }
 

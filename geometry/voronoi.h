@@ -22,6 +22,9 @@ class VoronoiGround {
   /// rounding (1e-9 m). Cost O(n k) for k neighbours of a cell; cells at reflex corners are cut by GEOS and cost some
   /// 30 µs.
   std::vector<Area> cells(std::span<const Vec2> points) const;
+  /// The same, but cells that surely do not meet `where` stay empty: who is farther from it than its farthest place is
+  /// from anybody owns none of it.
+  std::vector<Area> cells_meeting(std::span<const Vec2> points, const Bounds& where) const;
 
   const std::vector<Area>& walkable() const { return walkable_; }
   bool on_ground(Vec2 p) const;
@@ -31,6 +34,7 @@ class VoronoiGround {
     Vec2 a, b;  ///< the ground is on its left
   };
   class Cutter;
+  std::vector<Area> cells(std::span<const Vec2> points, const Bounds* where) const;
 
   std::vector<Area> walkable_;
   double cut_off_ = 0;

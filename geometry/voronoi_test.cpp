@@ -104,6 +104,28 @@ TEST_CASE("cells agree with the definition by all bisectors") {
   }
 }
 
+TEST_CASE("cells that meet a place are those of all cells") {
+  inhabit::core::Rng random(17);
+  const VoronoiGround ground({{rectangle(0, 0, 20, 10), {rectangle(8, 0, 8.2, 7)}}});
+  for (int run = 0; run < 200; ++run) {
+    std::vector<Vec2> points;
+    const int count = 1 + static_cast<int>(random.index(run < 100 ? 5 : 200));
+    // Often all in one corner, far from the place.
+    const double wide = run % 2 ? 20 : 3;
+    for (int i = 0; i < count; ++i) points.push_back({random.uniform(0, wide), random.uniform(0, 10)});
+    const Vec2 low{random.uniform(0, 18), random.uniform(0, 8)};
+    const Bounds where{low, low + Vec2{random.uniform(0.1, 2), random.uniform(0.1, 2)}};
+    const Ring box = rectangle(where.min.x, where.min.y, where.max.x, where.max.y);
+    const std::vector<Area> all = ground.cells(points), some = ground.cells_meeting(points, where);
+    std::size_t left_out = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      left_out += some[i].outline.empty() && !all[i].outline.empty() ? 1 : 0;
+      CHECK(overlap_area(all[i].outline, box) == overlap_area(some[i].outline, box));
+    }
+    if (run >= 100 && run % 2 == 1 && count > 100) CHECK(left_out > 0);
+  }
+}
+
 TEST_CASE("points at one place share a cell") {
   const VoronoiGround ground({{rectangle(0, 0, 2, 1), {}}});
   const std::vector<Vec2> points = {{0.5, 0.5}, {0.5, 0.5}, {1.5, 0.5}};

@@ -4,7 +4,6 @@
 
 #include "core/text.h"
 #include "crowd/world.h"
-#include "geometry/box.h"
 #include "io/file.h"
 #include "io/formats/wkt.h"
 #include "session/measure_job.h"
@@ -99,16 +98,9 @@ Table curve_table(const std::vector<crowd::FundamentalPoint>& ours, const std::v
 Result<std::vector<Area>> walkable_of(const Document& document) {
   std::vector<Area> areas;
   for (const Scene& scene : document.scenes) {
-    std::vector<Ring> taken;
-    for (const scene::Hole& hole : scene.space.holes) taken.push_back(hole.outline);
-    for (const scene::Object& object : scene.objects) {
-      if (!object.position || object.position->z >= crowd::kBodyHeight ||
-          object.position->z + object.size.z <= crowd::kStepHeight)
-        continue;
-      const auto corners = make_box({object.position->xy(), object.angle.value_or(0)}, object.size).corners();
-      taken.emplace_back(corners.begin(), corners.end());
-    }
-    for (Area& area : difference({{scene.space.outline, {}}}, taken, 1e-6)) areas.push_back(std::move(area));
+    Result<crowd::World> world = crowd::make_world(scene, 1);
+    if (!world) return world.error();
+    for (Floor& floor : world->floors) areas.push_back({std::move(floor.outline), std::move(floor.holes)});
   }
   if (areas.empty()) return invalid("", "there is no floor to walk on");
   return areas;

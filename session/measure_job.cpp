@@ -17,7 +17,9 @@ constexpr double kSlice = 0.25;       // of density, people per square metre
 constexpr double kBox = 2;            // metres along the flow
 constexpr double kLaneBand = 0.4;     // metres either way: about a body's width
 constexpr double kNoWallsCutOff = 1;  // metres, JPSreport's usual radius
-constexpr double kMargin = 0.3;       // metres round the positions where no walls are known
+constexpr std::size_t kMostCollisionFixes = 500'000;
+constexpr std::size_t kMostFieldCells = 300'000;
+constexpr double kMargin = 0.3;  // metres round the positions where no walls are known
 
 /// The trajectories within the span of time, and the walls to measure with.
 scene::Trajectories selected(const scene::Trajectories& all, const MeasureOptions& options) {
@@ -139,11 +141,18 @@ Result<MeasureReport> measure_job(const scene::Trajectories& trajectories, const
   report.lanes = lanes(recording, velocity, {report.main_flow.axis, kLaneBand}, threads);
   report.radius = options.radius;
   const Radii radii{options.radius, {}};
-  report.times_to_collision = times_to_collision(recording, velocity, radii, 10, 10, threads);
+  // Pairs within 10 m are hundreds a person in a crowd: of large recordings some frames must do.
+  report.collision_frames = report.fixes / kMostCollisionFixes + 1;
+  report.times_to_collision = times_to_collision(recording, velocity, radii, 10, 10, threads, report.collision_frames);
   report.paths = path_lengths(recording);
   report.overlaps = overlaps(recording, radii, threads);
   report.walls = wall_contacts(recording, radii, threads);
-  if (options.field) report.field = density_field(recording, ground, speed, {.threads = threads});
+  if (options.field) {
+    // As many frames as have kMostFieldCells cells together: more do not change the picture.
+    const std::size_t frames = kMostFieldCells * report.frames / report.fixes;
+    report.field = density_field(recording, ground, speed,
+                                 {.most_frames = std::clamp<std::size_t>(frames, 10, 300), .threads = threads});
+  }
   note_odd_places(report);
   return report;
 }

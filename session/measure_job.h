@@ -62,6 +62,7 @@ struct MeasureReport {
   crowd::Flow flow;
   std::vector<crowd::LaneRow> lanes;
   crowd::TimesToCollision times_to_collision;
+  std::size_t collision_frames = 1;  ///< times to collision are of one in so many frames
   std::vector<crowd::PathRow> paths;
   crowd::Overlaps overlaps;
   crowd::WallContacts walls;

@@ -118,6 +118,7 @@ std::string measure_json(const MeasureReport& r) {
                    {"people", r.walls.people},
                    {"worst", r.walls.worst}};
   json["time_to_collision"] = collision_json(r.times_to_collision);
+  json["time_to_collision"]["one_frame_in"] = r.collision_frames;
   json["notes"] = r.remarks;
   return io::pretty_json(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }

@@ -68,6 +68,8 @@ Plot people_plot(const MeasureReport& r) {
 Plot diagram_plot(const MeasureReport& r, const std::vector<crowd::FundamentalPoint>& reference) {
   Plot plot{"Fundamental diagram", r.name, {"density", "1/m²"}, {"speed", "m/s"}, {}, {}, {}, {}};
   plot.x.min = 0, plot.y.min = 0;
+  if (r.steady)
+    plot.subtitle += " · steady from " + fixed(r.steady->first, 1) + " to " + fixed(r.steady->second, 1) + " s";
   plot.series.push_back(
       {"Voronoi, one dot per frame", thinned(xy(r.points), kMostDots), {}, kDots, render::Marker::circle, 0});
   if (!reference.empty())

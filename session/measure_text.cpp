@@ -87,10 +87,11 @@ void add_safety(Lines& lines, const MeasureReport& r) {
   std::vector<double> soonest;
   for (const float tau : r.times_to_collision.soonest)
     if (tau < 1e30f) soonest.push_back(tau);
-  lines.add("time to collision, median", soonest.empty() ? "-" : fixed(median(soonest), 2), "s",
-            "of who is on a collision course within 10 m and 10 s: " +
-                fixed(100 * static_cast<double>(soonest.size()) / static_cast<double>(r.fixes), 0) +
-                " % of the positions");
+  lines.add(
+      "time to collision, median", soonest.empty() ? "-" : fixed(median(soonest), 2), "s",
+      "0 for touching discs; on a collision course within 10 m and 10 s: " +
+          fixed(100 * static_cast<double>(soonest.size() * r.collision_frames) / static_cast<double>(r.fixes), 0) +
+          " % of the positions");
   if (!r.place.walls) return;
   lines.add("positions outside the walls", std::to_string(r.walls.outside), "");
   lines.add("touching a wall", std::to_string(r.walls.touching), "positions",

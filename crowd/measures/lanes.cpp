@@ -1,6 +1,7 @@
 #include "crowd/measures/lanes.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace inhabit::crowd {
 namespace {
@@ -33,7 +34,7 @@ std::vector<LaneRow> lanes(const Recording& recording, std::span<const Vec2> vel
     LaneRow row{recording.seconds(recording.frames.frames[k])};
     std::vector<Walker> walkers;
     for (std::size_t i = recording.first(k); i < recording.first(k) + recording.count(k); ++i) {
-      if (!known(velocities[i])) continue;
+      if (!known(velocities[i]) || std::abs(dot(velocities[i], options.axis)) < options.slowest) continue;
       const int way = dot(velocities[i], options.axis) < 0 ? -1 : 1;
       (way > 0 ? row.forward : row.backward) += 1;
       walkers.push_back({dot(recording.fix(i).at(), perp(options.axis)), way});

@@ -51,3 +51,10 @@ TEST_CASE("one-way flow has no order") {
   CHECK(!known(order_of(
       60, 6, 0.6, [](int) { return 1.0; }, 0.5)));
 }
+
+TEST_CASE("a crowd that sways on the spot is no two-way flow") {
+  CHECK(!known(order_of(
+      60, 6, 0.6, [](int p) { return p % 2 ? 0.19 : -0.19; }, 0.5)));
+  CHECK(known(order_of(
+      60, 6, 0.6, [](int p) { return p % 2 ? 0.21 : -0.21; }, 0.5)));
+}

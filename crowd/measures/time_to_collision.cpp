@@ -16,7 +16,7 @@ std::optional<double> time_to_collision(Vec2 x, Vec2 v, double radii) {
 }
 
 TimesToCollision times_to_collision(const Recording& recording, std::span<const Vec2> velocities, const Radii& radii,
-                                    double horizon, double reach, int threads) {
+                                    double horizon, double reach, int threads, std::size_t every) {
   TimesToCollision result;
   result.horizon = horizon;
   result.soonest.assign(recording.fix_count(), std::numeric_limits<float>::infinity());
@@ -29,6 +29,7 @@ TimesToCollision times_to_collision(const Recording& recording, std::span<const 
     std::vector<std::size_t>& histogram = histograms[block];
     histogram.assign(bins, 0);
     for (std::size_t k = block * kBlock; k < std::min((block + 1) * kBlock, recording.frame_count()); ++k) {
+      if (k % every != 0) continue;
       const std::vector<Vec2> places = recording.places(k);
       const std::size_t base = recording.first(k);
       for_each_close_pair(places, reach, [&](std::size_t i, std::size_t j) {

@@ -23,7 +23,8 @@ struct TimesToCollision {
   std::size_t pairs = 0;  ///< in the histogram
 };
 /// Pairs nearer than `reach` metres whose tau is below `horizon` seconds. People of unknown velocity are left out.
+/// `every`: of so many frames one, since neighbouring frames say the same; the others have no soonest.
 TimesToCollision times_to_collision(const Recording& recording, std::span<const Vec2> velocities, const Radii& radii,
-                                    double horizon = 10, double reach = 10, int threads = 0);
+                                    double horizon = 10, double reach = 10, int threads = 0, std::size_t every = 1);
 
 }  // namespace inhabit::crowd

@@ -14,11 +14,11 @@ VoronoiDensity voronoi_density(const Recording& recording, const VoronoiGround& 
   for_each_frame(recording, threads, [&](std::size_t k) {
     AreaRow row{recording.frames.frames[k], recording.seconds(recording.frames.frames[k])};
     const std::vector<Vec2> places = recording.places(k);
-    const std::vector<Area> cells = ground.cells(places);
+    const std::vector<Area> cells = ground.cells_meeting(places, reach);
     double people = 0, sum = 0, covered = 0;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       row.people += area.contains(places[i]) ? 1 : 0;
-      if (cells[i].outline.empty()) ++off[k];
+      off[k] += ground.on_ground(places[i]) ? 0 : 1;
       if (cells[i].outline.empty() || !meet(bounds(cells[i].outline), reach)) continue;
       const double shared = area.overlap(cells[i]), whole = cells[i].size();
       if (!(shared > 0)) continue;
