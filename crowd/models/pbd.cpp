@@ -166,7 +166,10 @@ void Pbd::State::hold_walls(const Walls& walls, FloatArray& x, FloatArray& y, st
       const float dx = x[i] - p.x, dy = y[i] - p.y;
       const float d2 = dx * dx + dy * dy;
       const float ex = s.bx - s.ax, ey = s.by - s.ay;
-      const bool behind = ex * (y[i] - s.ay) - ey * (x[i] - s.ax) < 0;
+      // Past its ends a wall has no behind: whoever goes round a jamb crosses the line that it lies on.
+      const float t = ex * (x[i] - s.ax) + ey * (y[i] - s.ay);
+      const bool beside = t > 0 && t < ex * ex + ey * ey;
+      const bool behind = beside && ex * (y[i] - s.ay) - ey * (x[i] - s.ax) < 0;
       if (!behind && d2 >= radius * radius) continue;
       const float distance = std::sqrt(d2), length = std::sqrt(ex * ex + ey * ey);
       // From behind, or on the wall itself: along the wall's normal, which points to the floor.

@@ -140,6 +140,22 @@ TEST_CASE("pbd: pressed into walls and corners people stay outside by their radi
   }
 }
 
+TEST_CASE("pbd: whoever walks through a door does not notice the lines that its walls lie on") {
+  const inhabit::geometry::Ring ring = {{0, 0}, {4, 0}, {4, 3},   {2.45, 3},   {2.45, 3.1}, {4, 3.1},
+                                        {4, 6}, {0, 6}, {0, 3.1}, {1.55, 3.1}, {1.55, 3},   {0, 3}};
+  const Walls walls({make_floor(ring, {})}, {0, 0}, 1.5);
+  Agents agents;
+  wish(agents, put(agents, 1.8, 2, 0.2), 0, 1.4);  // 5 cm clear of the left jamb
+  Pbd model(game(0));
+  for (int k = 0; k < 120; ++k) {
+    const float before = agents.y[0];
+    model.step(agents, {walls, 1.0f / 48, 1});
+    REQUIRE(agents.y[0] > before);
+    REQUIRE(agents.x[0] == doctest::Approx(1.8));
+  }
+  CHECK(agents.y[0] > 4);
+}
+
 TEST_CASE("pbd: a crush towards one point keeps people apart to 2 percent of a diameter") {
   inhabit::core::Rng rng(5);
   Agents agents;
