@@ -183,7 +183,7 @@ Scene experiment_single_file(int people) {
   // A quarter of the people in each quadrant, each on a way round that begins at the next way point.
   const Ring quadrants[] = {rectangle(0, -outer, s + outer, 0), rectangle(0, 0, s + outer, outer),
                             rectangle(-s - outer, 0, 0, outer), rectangle(-s - outer, -outer, 0, 0)};
-  constexpr int kLaps = 12;
+  constexpr int kLaps = 20;  // more than anybody walks in two minutes
   for (int q = 0; q < 4; ++q) {
     Body body = pedestrian_body();
     for (int leg = 0; leg < 4 * kLaps; ++leg)
