@@ -16,5 +16,6 @@ if [ ! -x "$build/fuzz_$name" ]; then
 fi
 # New finds go into a folder of the build and help the next run; the examples stay as they are.
 mkdir -p "$build/corpus/$name" "$build/crashes"
-"$build/fuzz_$name" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2048 -max_len=65536 -print_final_stats=1 \
-  -artifact_prefix="$build/crashes/$name-" "$build/corpus/$name" "$examples" 2>&1 | tail -n 40
+# libFuzzer's own exit code for what it finds is 77 as well.
+"$build/fuzz_$name" -error_exitcode=1 -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2048 -max_len=65536 \
+  -print_final_stats=1 -artifact_prefix="$build/crashes/$name-" "$build/corpus/$name" "$examples" 2>&1 | tail -n 40

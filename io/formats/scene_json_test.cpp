@@ -76,6 +76,14 @@ TEST_CASE("a clockwise outline is turned round and doors and windows stay where 
   CHECK(*scene->constraints.of<WallDistance>()[0].wall == 2);
 }
 
+TEST_CASE("a door beyond its wall is refused by the document's own numbers, whichever way the outline runs") {
+  const std::string doors = R"("doors": [{"id": "d", "wall": 0, "from": 10.5}])";
+  CHECK(read_scene(R"({"space": {"outline": [[0, 0], [0, 4], [5, 4], [5, 0]], )" + doors + "}}").error().text() ==
+        "/space/doors/0: from 10.5 m, 0.9 m wide, it ends beyond wall 0, which is 4 m long");
+  CHECK(read_scene(R"({"space": {"outline": [[0, 0], [5, 0], [5, 4], [0, 4]], )" + doors + "}}").error().text() ==
+        "/space/doors/0: from 10.5 m, 0.9 m wide, it ends beyond wall 0, which is 5 m long");
+}
+
 TEST_CASE("every error says where and what") {
   CHECK(error_of(R"("objects": [{"id": "a", "angle": 900}])") ==
         "/objects/0/angle: 900 is outside [-360, 360] degrees");

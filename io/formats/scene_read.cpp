@@ -148,9 +148,10 @@ class SceneReader : public ValueReader {
       outline_turned_ = ring_turned_;
     }
     if (!read_object(v, out)) return false;
-    if (outline_turned_) turn_walls(out);
     walls_ = out.walls();
-    return hold(check_space(out));
+    if (!hold(check_space(out, outline_turned_))) return false;
+    if (outline_turned_) turn_walls(out);
+    return true;
   }
   bool read(JsonValue v, Curve& out, const Spec&) {
     CurveInFile file;

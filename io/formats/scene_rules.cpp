@@ -22,13 +22,13 @@ std::string at(std::string_view list, std::size_t i, std::string_view member = "
 }
 
 template <class Opening>
-Status check_openings(const Space& space, const std::vector<Opening>& openings, std::string_view list) {
+Status check_openings(const Space& space, bool turned, const std::vector<Opening>& openings, std::string_view list) {
   for (std::size_t i = 0; i < openings.size(); ++i) {
     const Opening& o = openings[i];
     if (o.wall < 0 || static_cast<std::size_t>(o.wall) >= space.walls())
       return invalid(at(list, i, "wall"), "there is no wall " + std::to_string(o.wall) +
                                               ", the outline has walls 0 to " + std::to_string(space.walls() - 1));
-    const auto k = static_cast<std::size_t>(o.wall);
+    const auto k = static_cast<std::size_t>(turned ? turned_wall(o.wall, space.walls()) : o.wall);
     const double wall = length(space.wall_end(k) - space.wall_start(k));
     if (o.from + o.width > wall + kSlack)
       return invalid(at(list, i), "from " + number_text(o.from) + " m, " + number_text(o.width) +
@@ -64,7 +64,7 @@ Status check_names(const std::vector<Named>& list, std::string_view where) {
 
 }  // namespace
 
-Status check_space(const Space& space) {
+Status check_space(const Space& space, bool turned) {
   for (std::size_t i = 0; i < space.holes.size(); ++i) {
     const Ring& hole = space.holes[i].outline;
     const double outside = area_outside(hole, space.outline);
@@ -73,8 +73,8 @@ Status check_space(const Space& space) {
     return invalid(at("/space/holes", i, "outline"),
                    apart ? "the hole lies outside the outline" : "the hole crosses the outline");
   }
-  if (const Status doors = check_openings(space, space.doors, "/space/doors"); !doors) return doors;
-  return check_openings(space, space.windows, "/space/windows");
+  if (const Status doors = check_openings(space, turned, space.doors, "/space/doors"); !doors) return doors;
+  return check_openings(space, turned, space.windows, "/space/windows");
 }
 
 Status check_objects(const Scene& scene) {
@@ -133,7 +133,7 @@ void turn_walls(Space& space) {
     opening.wall = turned_wall(opening.wall, space.walls());
     const auto k = static_cast<std::size_t>(opening.wall);
     const double rest = length(space.wall_end(k) - space.wall_start(k)) - opening.from - opening.width;
-    opening.from = rest < 0 && rest > -kSlack ? 0 : rest;
+    opening.from = std::max(rest, 0.0);
   };
   for (Door& door : space.doors) {
     turn(door);
