@@ -182,7 +182,7 @@ void Contacts::rebuild(const State& x) {
   trim(pairs_), trim(zone_pairs_);
 }
 
-void Contacts::score(const State& x, Score& s, double& squares) const {
+void Contacts::score_collisions(const State& x, Score& s, double& squares) const {
   for (const Pair& pair : pairs_) {
     const Vec2 d = x.boxes[pair.a].center - x.boxes[pair.b].center;
     if (dot(d, d) >= pair.reach_square) continue;
@@ -192,6 +192,9 @@ void Contacts::score(const State& x, Score& s, double& squares) const {
     s.worst = std::max(s.worst, depth);
     squares += p_.collision_gamma * depth * depth;
   }
+}
+
+void Contacts::score_zones(const State& x, Score& s, double& squares) const {
   const Zone* at = nullptr;
   Vec2 center;
   for (const Pair& pair : zone_pairs_) {

@@ -29,8 +29,14 @@ class Contacts {
   template <class Sink>
   void project_zones(const State& x, std::span<const double> stiffness, bool sphere, Sink& sink) const;
 
-  /// Adds overlaps and occupied zones to the sums of the score (squares, before the root).
-  void score(const State& x, Score& s, double& squares) const;
+  /// Adds overlaps to the sums of the score (squares, before the root).
+  void score_collisions(const State& x, Score& s, double& squares) const;
+  /// Adds occupied zones.
+  void score_zones(const State& x, Score& s, double& squares) const;
+  void score(const State& x, Score& s, double& squares) const {
+    score_collisions(x, s, squares);
+    score_zones(x, s, squares);
+  }
   /// Adds every box's overlap depth, shared among the bodies of each pair, to `load`.
   void add_load(const State& x, std::span<double> load) const;
 

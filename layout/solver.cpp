@@ -137,16 +137,7 @@ double Solver::total_gamma() const {
   return sum;
 }
 
-Score Solver::score() {
-  Score s;
-  double squares = 0;
-  for_each_type(TermTypes{}, [&]<class T>(std::type_identity<T>) {
-    for (const T& term : p_.of<T>()) {
-      const double e = error(term, x_);
-      squares += p_.gamma(term) * e * e;
-      s.slack = std::max(s.slack, std::abs(e));
-    }
-  });
+void Solver::score_violations(Score& s, double& squares) {
   if (p_.boundary) {
     // What cannot move stands as it is given.
     p_.for_each_movable_box([&](std::uint32_t i, std::uint32_t) {
@@ -158,7 +149,21 @@ Score Solver::score() {
     });
   }
   contacts_.refresh(x_);
-  contacts_.score(x_, s, squares);
+  contacts_.score_collisions(x_, s, squares);
+}
+
+Score Solver::score() {
+  Score s;
+  double squares = 0;
+  for_each_type(TermTypes{}, [&]<class T>(std::type_identity<T>) {
+    for (const T& term : p_.of<T>()) {
+      const double e = error(term, x_);
+      squares += p_.gamma(term) * e * e;
+      s.slack = std::max(s.slack, std::abs(e));
+    }
+  });
+  score_violations(s, squares);
+  contacts_.score_zones(x_, s, squares);
   s.energy = std::sqrt(squares);
   return s;
 }
@@ -181,9 +186,11 @@ bool Solver::polish() {
     contacts_.project_collisions(x_, 1, sink);
     project_boundary(1, sink);
     if (i % 4 != 3) continue;
-    const Score s = score();
+    Score s;
+    double squares = 0;
+    score_violations(s, squares);
     done = s.feasible();
-    if (done) keep(s);
+    if (done) keep(score());
     if (s.violation > 0.9 * last) {
       if (moves-- <= 0) break;
       relocate();
