@@ -51,6 +51,8 @@ class Contacts {
   Pair zone_pair_of(std::uint32_t z, std::uint32_t b) const;
   void rebuild(const State& x);
   void all_pairs();
+  /// In the order of their first boxes: what stands together in the document stands together in memory.
+  void sort_pairs();
   bool stale(const State& x) const;
   void separate_along_wall(const State& x, const Pair& pair, const Separation& s, double k, auto& sink) const;
 
