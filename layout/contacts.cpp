@@ -9,6 +9,9 @@ namespace {
 /// Below this many boxes every pair is kept: 24 * 23 / 2 circle tests cost less than finding out which to leave.
 constexpr std::size_t kFew = 24;
 
+/// Above this many boxes, which no longer fit into a core's own cache, pairs are visited in the order of their boxes.
+constexpr std::size_t kLarge = 2000;
+
 /// The next float that is not less.
 float rounded_up(double v) {
   const auto f = static_cast<float>(v);
@@ -164,6 +167,7 @@ void Contacts::rebuild(const State& x) {
       }
     }
   }
+  if (n > kLarge) sort_pairs();
   zone_pairs_.clear();
   for (std::uint32_t z = 0; z < p_.zones.size(); ++z) {
     const Zone& zone = p_.zones[z];
@@ -180,6 +184,15 @@ void Contacts::rebuild(const State& x) {
     for (const std::uint32_t j : large_) consider(j);
   }
   trim(pairs_), trim(zone_pairs_);
+}
+
+void Contacts::sort_pairs() {
+  std::vector<std::uint32_t> next(p_.data.boxes.size() + 1);
+  for (const Pair& pair : pairs_) ++next[pair.a + 1];
+  for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
+  std::vector<Pair> sorted(pairs_.size());
+  for (const Pair& pair : pairs_) sorted[next[pair.a]++] = pair;
+  pairs_ = std::move(sorted);
 }
 
 void Contacts::score_collisions(const State& x, Score& s, double& squares) const {

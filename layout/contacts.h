@@ -33,6 +33,10 @@ class Contacts {
   void score_collisions(const State& x, Score& s, double& squares) const;
   /// Adds occupied zones.
   void score_zones(const State& x, Score& s, double& squares) const;
+  void score(const State& x, Score& s, double& squares) const {
+    score_collisions(x, s, squares);
+    score_zones(x, s, squares);
+  }
   /// Adds every box's overlap depth, shared among the bodies of each pair, to `load`.
   void add_load(const State& x, std::span<double> load) const;
 
@@ -47,6 +51,8 @@ class Contacts {
   Pair zone_pair_of(std::uint32_t z, std::uint32_t b) const;
   void rebuild(const State& x);
   void all_pairs();
+  /// In the order of their first boxes: what stands together in the document stands together in memory.
+  void sort_pairs();
   bool stale(const State& x) const;
   void separate_along_wall(const State& x, const Pair& pair, const Separation& s, double k, auto& sink) const;
 
