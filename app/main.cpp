@@ -20,7 +20,7 @@ constexpr std::array kVerbs = {
     Verb{"check", "Say what is wrong with a layout", set_up_check},
     Verb{"simulate", "Let people walk through a scene", set_up_simulate},
     Verb{"scenes", "List the built-in scenes, or print one", set_up_scenes},
-    Verb{"render", "Draw a plan", set_up_render},
+    Verb{"render", "Draw a plan, or people who walk, as a picture or a film", set_up_render},
     Verb{"convert", "Read one format and write another, by extension", set_up_convert},
     Verb{"measure", "Say where and how people walked: density, speed, flow, collisions", set_up_measure},
     Verb{"bench", "Measure what the papers published, here", set_up_bench},

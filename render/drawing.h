@@ -106,4 +106,15 @@ struct EncodeOptions {
 /// The file's bytes: the same for the same drawing, without dates. Errors: a page without area, an unusable pixel size.
 Result<std::string> encode(const Drawing& drawing, Format format, const EncodeOptions& options = {});
 
+/// A picture of whole pixels, row by row from the top: blue, green, red and one byte without meaning for each.
+struct Pixels {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> bytes;
+};
+/// The drawing in pixels, as wide as asked for, over `under` when there is one. Requires: `under` has this width and the
+/// height that the page's shape gives. Errors: no page, a side that is not within 1 … 16384.
+Result<Pixels> rasterize(const Drawing& drawing, int width, const Pixels* under = nullptr);
+/// The pixels as a PNG file.
+Result<std::string> encode_png(const Pixels& pixels);
+
 }  // namespace inhabit::render

@@ -139,6 +139,38 @@ Result<std::string> encode_pdf(const Drawing& drawing) {
 
 }  // namespace
 
+Result<Pixels> rasterize(const Drawing& drawing, int width, const Pixels* under) {
+  const double scale = width / drawing.size.x, tall = scale * drawing.size.y;
+  if (!(width >= 1 && width <= 16384 && tall >= 0.5 && tall < 16384.5))
+    return invalid("picture", "both sides must have 1 to 16384 pixels");
+  Pixels pixels{width, static_cast<int>(std::lround(tall)), {}};
+  const std::size_t row = 4 * static_cast<std::size_t>(width), size = row * static_cast<std::size_t>(pixels.height);
+  INHABIT_ASSERT(!under || under->bytes.size() == size);
+  if (under)
+    pixels.bytes = under->bytes;
+  else
+    pixels.bytes.assign(size, 0xff);
+  // RGB24 lies in memory as blue, green, red, unused on the little-endian machines that we run on.
+  const Surface surface(cairo_image_surface_create_for_data(pixels.bytes.data(), CAIRO_FORMAT_RGB24, width,
+                                                            pixels.height, static_cast<int>(row)),
+                        cairo_surface_destroy);
+  const cairo_status_t status = play(surface.get(), drawing, scale);
+  cairo_surface_finish(surface.get());
+  if (status != CAIRO_STATUS_SUCCESS) return Error{ErrorCode::io, cairo_status_to_string(status), "picture"};
+  return pixels;
+}
+
+Result<std::string> encode_png(const Pixels& pixels) {
+  std::vector<std::uint8_t> bytes = pixels.bytes;
+  const Surface surface(cairo_image_surface_create_for_data(bytes.data(), CAIRO_FORMAT_RGB24, pixels.width,
+                                                            pixels.height, 4 * pixels.width),
+                        cairo_surface_destroy);
+  std::string file;
+  const cairo_status_t status = cairo_surface_write_to_png_stream(surface.get(), append, &file);
+  if (status != CAIRO_STATUS_SUCCESS) return failed(status);
+  return file;
+}
+
 double text_width(std::string_view text, double size, bool bold) {
   // Measured at a fixed size and scaled: cairo keeps one font instead of one for every size.
   constexpr double kSize = 100;

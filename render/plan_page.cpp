@@ -32,28 +32,6 @@ void draw_measure(Drawing& drawing, const Page& page, Vec2 a, Vec2 b, const std:
   write(drawing, {text, middle + 0.36 * size * perp(d), size, ink::kText, Anchor::middle, false, angle_of(d)});
 }
 
-void draw_scale_bar(Drawing& drawing, const Page& page, Vec2 at) {
-  const double longest = 0.24 * page.size.x / page.frame.scale;
-  const double unit_length = nice_below(longest / 2);
-  const bool cm = unit_length < 0.5;
-  const int parts = std::max(1, std::min(5, static_cast<int>(longest / unit_length)));
-  const double step = page.frame.scale * unit_length, height = 4 * page.text, size = 9.5 * page.text;
-  for (int i = 0; i < parts; ++i) {
-    const Box part{at + Vec2{(i + 0.5) * step, height / 2}, {1, 0}, step / 2, height / 2};
-    add(drawing, Path{}.polygon(part),
-        {.fill = i % 2 ? ink::kFloor : ink::kText, .stroke = ink::kText, .width = 0.7 * page.line});
-  }
-  for (int i = 0; i <= parts; ++i) {
-    std::string text = shortest(std::round(1e6 * i * unit_length * (cm ? 100 : 1)) / 1e6);
-    if (i == parts) text += cm ? " cm" : " m";
-    // The unit hangs over the right end, so that the numbers stand under their ticks.
-    const double shift =
-        i == parts ? text_width(shortest(std::round(1e6 * i * unit_length * (cm ? 100 : 1)) / 1e6), size) / 2 : 0;
-    write(drawing, {text, at + Vec2{i * step - shift, height + 1.25 * size}, size, ink::kText,
-                    i == parts ? Anchor::start : Anchor::middle});
-  }
-}
-
 std::string count_text(std::size_t n, std::string_view one, std::string_view many) {
   return std::to_string(n) + " " + std::string(n == 1 ? one : many);
 }
@@ -121,6 +99,28 @@ double draw_legend(Drawing& drawing, const Page& page, const std::vector<LegendR
 }
 
 }  // namespace
+
+void draw_scale_bar(Drawing& drawing, const Page& page, Vec2 at) {
+  const double longest = 0.24 * page.size.x / page.frame.scale;
+  const double unit_length = nice_below(longest / 2);
+  const bool cm = unit_length < 0.5;
+  const int parts = std::max(1, std::min(5, static_cast<int>(longest / unit_length)));
+  const double step = page.frame.scale * unit_length, height = 4 * page.text, size = 9.5 * page.text;
+  for (int i = 0; i < parts; ++i) {
+    const Box part{at + Vec2{(i + 0.5) * step, height / 2}, {1, 0}, step / 2, height / 2};
+    add(drawing, Path{}.polygon(part),
+        {.fill = i % 2 ? ink::kFloor : ink::kText, .stroke = ink::kText, .width = 0.7 * page.line});
+  }
+  for (int i = 0; i <= parts; ++i) {
+    std::string text = shortest(std::round(1e6 * i * unit_length * (cm ? 100 : 1)) / 1e6);
+    if (i == parts) text += cm ? " cm" : " m";
+    // The unit hangs over the right end, so that the numbers stand under their ticks.
+    const double shift =
+        i == parts ? text_width(shortest(std::round(1e6 * i * unit_length * (cm ? 100 : 1)) / 1e6), size) / 2 : 0;
+    write(drawing, {text, at + Vec2{i * step - shift, height + 1.25 * size}, size, ink::kText,
+                    i == parts ? Anchor::start : Anchor::middle});
+  }
+}
 
 Vec2 measures_corner(const Page& page, const Stock& stock) {
   const double off = page.frame.scale * stock.wall + 20 * page.text;

@@ -62,6 +62,8 @@ void draw_title(Drawing& drawing, const Page& page, const Stock& stock, const sc
 /// Where the lines of the overall measures meet, left of and below what is placed.
 Vec2 measures_corner(const Page& page, const Stock& stock);
 void draw_dimensions(Drawing& drawing, const Page& page, const Stock& stock);
+/// Metres as alternating bars, `at` their upper left corner, at most a quarter of the page wide.
+void draw_scale_bar(Drawing& drawing, const Page& page, Vec2 at);
 /// Scale bar, verdict, legend; the page grows to hold them.
 void draw_footer(Drawing& drawing, Page& page, const Stock& stock, const std::vector<LegendRow>& legend,
                  const PlanOptions& options);

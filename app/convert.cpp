@@ -1,5 +1,3 @@
-#include "session/pictures.h"
-
 #include <memory>
 
 #include "app/options.h"
@@ -10,27 +8,12 @@
 namespace inhabit::app {
 namespace {
 
-struct Render {
-  SceneArgument scene;
-  std::string out;
-  session::PictureOptions options;
-  bool no_labels = false, quiet = false;
-};
-
 struct Convert {
   SceneArgument scene;
   session::TrajectoryOpenOptions trajectories;
   std::string out;
   bool quiet = false;
 };
-
-int run(Render& r) {
-  if (const core::Status good = session::check_picture_name(r.out); !good) return fail(r.out, good.error());
-  r.options.labels = !r.no_labels;
-  const std::optional<session::Document> document = open(r.scene, r.quiet);
-  if (!document) return kError;
-  return save(r.out, session::plan_picture(*document, r.out, r.options)) ? kDone : kError;
-}
 
 int convert_trajectories(const Convert& c) {
   const std::string& name = c.scene.name;
@@ -56,25 +39,6 @@ int run(const Convert& c) {
 }
 
 }  // namespace
-
-std::function<int()> set_up_render(CLI::App& verb) {
-  const auto r = std::make_shared<Render>();
-  add_scene(verb, r->scene);
-  verb.add_option("-o,--output", r->out, "Picture: .svg, .png or .pdf")->type_name("FILE")->required();
-  verb.add_option("--pixels", r->options.pixels, "Long side of a PNG, pixels")
-      ->check(CLI::Range(16, 16384))
-      ->capture_default_str();
-  verb.add_flag("--no-labels", r->no_labels, "No names");
-  verb.add_flag("--clearances", r->options.clearances, "Draw the free depth wanted before faces");
-  verb.add_flag("--views", r->options.views, "Draw view cones");
-  verb.add_flag("--door-zones", r->options.door_zones, "Draw what the doors sweep");
-  verb.add_flag("--problems", r->options.problems, "Mark overlaps, what stands outside, blocked doors and clearances");
-  verb.add_flag("-q,--quiet", r->quiet, "No warnings");
-  verb.footer(
-      "Examples:\n  inhabit render living-room -o room.svg\n  inhabit render room.json -o room.png --pixels 3000 "
-      "--problems");
-  return [r] { return run(*r); };
-}
 
 std::function<int()> set_up_convert(CLI::App& verb) {
   const auto c = std::make_shared<Convert>();
