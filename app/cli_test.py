@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import sys
@@ -260,6 +261,74 @@ def test_render(folder):
     for name, start in (("a.svg", b"<?xml"), ("a.png", b"\x89PNG"), ("a.pdf", b"%PDF")):
         run("render", folder / "a.json", "-o", folder / name, "--problems", "--clearances")
         assert (folder / name).read_bytes().startswith(start) or b"<svg" in (folder / name).read_bytes()[:200]
+
+
+def walkers(folder):
+    """Ten people side by side for two seconds."""
+    rows = [f"{p} {f} {0.12 * f:.3f} {p} 0\n" for p in range(10) for f in range(20)]
+    return write(folder / "walk.txt", "# framerate: 10 fps\n# id frame x/m y/m z/m\n" + "".join(rows))
+
+
+def test_crowd_pictures(folder):
+    """Pictures of people by every way; options that mean nothing there are refused."""
+    walk = walkers(folder)
+    for name, start in (("a.svg", b"<?xml"), ("a.png", b"\x89PNG"), ("a.pdf", b"%PDF")):
+        run("render", walk, "-o", folder / name)
+        assert (folder / name).read_bytes().startswith(start)
+    assert "10 people</text>" in (folder / "a.svg").read_text()
+    run("render", walk, "-o", folder / "b.svg", "--scene", "living-room", "--at", 1.05, "--trail", 0, "--radius", 0.2)
+    assert ">1.05 s</text>" in (folder / "b.svg").read_text()
+    run("render", walk, "-o", folder / "c.svg", "--paths", "--color", "time", "--from", 0.5, "--until", 1)
+    assert ">10 paths</text>" in (folder / "c.svg").read_text()
+    run("render", walk, "-o", folder / "d.svg", "--space-time", "x")
+    assert ">time [s]</text>" in (folder / "d.svg").read_text()
+    assert "0.00 … 1.90 s" in fails("render", walk, "-o", folder / "e.svg", "--at", 7)
+    assert "--problems" in fails("render", walk, "-o", folder / "e.svg", "--problems")
+    assert "--at" in fails("render", "living-room", "-o", folder / "e.svg", "--at", 1)
+    assert "--film-fps is for films" in fails("render", walk, "-o", folder / "e.svg", "--film-fps", 5)
+    assert "nobody" in fails("render", walk, "-o", folder / "e.svg", "--from", 100)
+    assert ".mp4" in fails("render", walk, "-o", folder / "e.docx")
+    assert not (folder / "e.svg").exists()
+    run("render", walk, "-o", str(folder / "frames") + "/", "--film-fps", 5, "--width", 321)
+    names = sorted(p.name for p in (folder / "frames").iterdir())
+    assert names == [f"frame-{k:06d}.png" for k in range(10)], names
+    run("render", walk, "-o", folder / "f-%02d.png", "--film-fps", 5, "--width", 321, "--speed", 2, "--threads", 1)
+    assert (folder / "f-01.png").read_bytes() == (folder / "frames" / "frame-000002.png").read_bytes()
+    assert not (folder / "f-05.png").exists()
+    nowhere = {**os.environ, "PATH": str(folder)}
+    result = subprocess.run([INHABIT, "render", str(walk), "-o", str(folder / "f.mp4")], capture_output=True, text=True, env=nowhere)
+    assert result.returncode == 2 and "ffmpeg" in result.stderr and result.stderr.count("\n") == 1, result.stderr
+
+
+def test_film(folder):
+    """A film has every picture; Ctrl-C and an ffmpeg that fails leave what was there."""
+    if not shutil.which("ffmpeg"):
+        print("skipped: ffmpeg is not on the PATH")
+        sys.exit(77)
+    walk = walkers(folder)
+    for name, start in (("a.mp4", b"ftyp"), ("a.webm", b"webm")):
+        run("render", walk, "-o", folder / name, "--width", 161)
+        assert start in (folder / name).read_bytes()[:64]
+        probe = shutil.which("ffprobe")
+        if probe:
+            said = subprocess.run([probe, "-v", "error", "-count_frames", "-show_entries", "stream=width,nb_read_frames", "-of",
+                                   "csv=p=0", str(folder / name)], capture_output=True, text=True).stdout
+            assert said.strip() == "162,46", said  # 1.9 s at 24 pictures per second, both ends
+    before = (folder / "a.mp4").read_bytes()
+    process = subprocess.Popen([INHABIT, "render", str(walk), "-o", str(folder / "a.mp4"), "--speed", "0.001"],
+                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    time.sleep(1)
+    process.send_signal(signal.SIGINT)
+    _, complaint = process.communicate(timeout=60)
+    assert process.returncode == 2 and "interrupted" in complaint, complaint
+    broken = folder / "bin" / "ffmpeg"
+    broken.parent.mkdir()
+    write(broken, "#!/bin/sh\necho no such codec >&2\nexit 1\n").chmod(0o755)
+    result = subprocess.run([INHABIT, "render", str(walk), "-o", str(folder / "a.mp4")], capture_output=True, text=True,
+                            env={**os.environ, "PATH": f"{broken.parent}:/bin:/usr/bin"})
+    assert result.returncode == 2 and "no such codec" in result.stderr, result.stderr
+    assert (folder / "a.mp4").read_bytes() == before
+    assert sorted(p.name for p in folder.iterdir()) == ["a.mp4", "a.webm", "bin", "walk.txt"]
 
 
 def test_homes(folder):

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/text.h"
 #include "render/crowd_colors.h"
@@ -11,7 +12,7 @@ namespace inhabit::render {
 namespace {
 
 constexpr int kFades = 5;     // parts of a trail, each fainter than the one before
-constexpr double kDot = 0.8;  // points: people smaller than this are drawn as dots of this half side
+constexpr double kDot = 0.8;  // points: people smaller than this are drawn as dots of this side
 
 bool on_page(Vec2 p, Vec2 size) { return p.x > -50 && p.y > -50 && p.x < size.x + 50 && p.y < size.y + 50; }
 
@@ -51,6 +52,31 @@ void draw_trails(Drawing& drawing, const Walks& walks, const CrowdPage& page, co
     stroke(drawing, std::move(parts[static_cast<std::size_t>(part)]), rgb(0x4a5563, 0.12 + 0.13 * part), width);
 }
 
+/// Discs, or dots. Many are drawn as one shape for each colour, few one by one, so that those who overlap are told
+/// apart.
+void draw_bodies(Drawing& drawing, const CrowdPage& page, const CrowdScale& scale, const std::vector<Walker>& walkers,
+                 double radius) {
+  constexpr std::size_t kFew = 3000;
+  const auto put = [&](Path path, int level) {
+    Style style{.fill = crowd_color(scale.color, level)};
+    if (radius > 2) style.stroke = rgb(0xffffff, 0.9), style.width = std::min(0.12 * radius, 1.0);
+    add(drawing, std::move(path), style);
+  };
+  std::vector<Path> levels(kCrowdLevels);
+  for (const Walker& walker : walkers) {
+    const Vec2 p = page.frame.page(walker.at);
+    if (!on_page(p, drawing.size)) continue;
+    const int level = scale.level(walker.speed);
+    Path& path = levels[static_cast<std::size_t>(level)];
+    if (radius < kDot)
+      square(path, p, kDot / 2);
+    else
+      path.circle(p, radius);
+    if (walkers.size() <= kFew) put(std::exchange(path, {}), level);
+  }
+  for (int k = 0; k < kCrowdLevels; ++k) put(std::move(levels[static_cast<std::size_t>(k)]), k);
+}
+
 void draw_stamp(Drawing& drawing, const CrowdPage& page, double time, std::size_t people) {
   write(drawing, {fixed(time, 2) + " s", page.stamp, 17, ink::kText, Anchor::end, true});
   write(drawing, {std::to_string(people) + (people == 1 ? " person" : " people"), page.stamp + Vec2{0, 18}, 11.5,
@@ -61,28 +87,12 @@ void draw_stamp(Drawing& drawing, const CrowdPage& page, double time, std::size_
 
 Drawing draw_walkers(const Walks& walks, const CrowdPage& page, double time, const CrowdPictureOptions& options) {
   Drawing drawing{page.ground.size, {255, 255, 255, 0}, options.title, {}};
-  const CrowdScale scale{PathColor::speed, 0, options.fastest};
   const std::vector<Walker> walkers = walkers_at(walks, time);
   const double radius = page.frame.scale * options.radius;
   const bool dots = radius < kDot;
   const double trail = options.trail.value_or(dots ? 0 : 1);
   if (trail > 0) draw_trails(drawing, walks, page, walkers, time, trail, std::clamp(0.35 * radius, 0.6, 3.0));
-  std::vector<Path> levels(kCrowdLevels);
-  for (const Walker& walker : walkers) {
-    const Vec2 p = page.frame.page(walker.at);
-    if (!on_page(p, drawing.size)) continue;
-    Path& path = levels[static_cast<std::size_t>(scale.level(walker.speed))];
-    if (dots)
-      square(path, p, kDot / 2);
-    else
-      path.circle(p, radius);
-  }
-  for (int k = 0; k < kCrowdLevels; ++k) {
-    const Color color = crowd_color(scale.color, k);
-    Style style{.fill = color};
-    if (radius > 2) style.stroke = rgb(0xffffff, 0.9), style.width = std::min(0.12 * radius, 1.0);
-    add(drawing, std::move(levels[static_cast<std::size_t>(k)]), style);
-  }
+  draw_bodies(drawing, page, {PathColor::speed, 0, options.fastest}, walkers, radius);
   draw_stamp(drawing, page, time, walkers.size());
   return drawing;
 }
