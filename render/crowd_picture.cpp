@@ -69,7 +69,7 @@ void draw_bodies(Drawing& drawing, const CrowdPage& page, const CrowdScale& scal
     const int level = scale.level(walker.speed);
     Path& path = levels[static_cast<std::size_t>(level)];
     if (radius < kDot)
-      square(path, p, kDot / 2);
+      square(path, p, 0.85 * kDot);
     else
       path.circle(p, radius);
     if (walkers.size() <= kFew) put(std::exchange(path, {}), level);

@@ -30,7 +30,10 @@ std::vector<std::string> arguments(const std::string& program, const std::string
                                 // What comes in: pixels without a header.
                                 "-f", "rawvideo", "-pixel_format", "bgr0", "-video_size",
                                 std::to_string(width) + "x" + std::to_string(height), "-framerate",
-                                core::fixed(rate, 6), "-i", "pipe:0", "-an", "-pix_fmt", "yuv420p"};
+                                core::fixed(rate, 6), "-i", "pipe:0", "-an", "-pix_fmt", "yuv420p",
+                                // Said and done alike, or players guess and colours shift.
+                                "-vf", "scale=out_color_matrix=bt709:out_range=tv", "-colorspace", "bt709",
+                                "-color_primaries", "bt709", "-color_trc", "bt709", "-color_range", "tv"};
   const std::vector<std::string> coding =
       format == "webm"
           ? std::vector<std::string>{"-c:v",      "libvpx-vp9", "-crf",      "30", "-b:v",    "0",
