@@ -11,8 +11,10 @@
 namespace inhabit::render {
 namespace {
 
-constexpr int kFades = 5;     // parts of a trail, each fainter than the one before
-constexpr double kDot = 0.8;  // points: people smaller than this are drawn as dots of this side
+constexpr int kFades = 5;  // parts of a trail, each fainter than the one before
+// Points: people with a smaller radius are drawn as squares of about their width at that radius; smaller ones would
+// make a haze of a hundred thousand.
+constexpr double kDot = 0.8;
 
 bool on_page(Vec2 p, Vec2 size) { return p.x > -50 && p.y > -50 && p.x < size.x + 50 && p.y < size.y + 50; }
 
