@@ -111,8 +111,8 @@ struct Pixels {
   int width = 0, height = 0;
   std::vector<std::uint8_t> bytes;
 };
-/// The drawing in pixels, as wide as asked for, over `under` when there is one. Requires: `under` has this width and the
-/// height that the page's shape gives. Errors: no page, a side that is not within 1 … 16384.
+/// The drawing in pixels, as wide as asked for, over `under` when there is one. Requires: `under` has this width and
+/// the height that the page's shape gives. Errors: no page, a side that is not within 1 … 16384.
 Result<Pixels> rasterize(const Drawing& drawing, int width, const Pixels* under = nullptr);
 /// The pixels as a PNG file.
 Result<std::string> encode_png(const Pixels& pixels);
