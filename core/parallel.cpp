@@ -3,6 +3,10 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <map>
+#include <memory>
+#include <mutex>
+
 #ifdef INHABIT_THREAD_SANITIZER
 #include <sanitizer/tsan_interface.h>
 #endif
@@ -38,6 +42,17 @@ struct Call {
 };
 #endif
 
+/// Making an arena costs more than a short loop (50 to 250 microseconds), so each width is made once and kept.
+tbb::task_arena& arena_of(int threads) {
+  static std::mutex mutex;
+  static std::map<int, std::unique_ptr<tbb::task_arena>> arenas;
+  const std::lock_guard lock(mutex);
+  std::unique_ptr<tbb::task_arena>& arena = arenas[threads];
+  constexpr int kAll = tbb::task_arena::automatic;
+  if (!arena) arena = std::make_unique<tbb::task_arena>(threads > 0 ? threads : kAll);
+  return *arena;
+}
+
 }  // namespace
 
 void parallel_for(std::size_t count, int threads, const std::function<void(std::size_t)>& body) {
@@ -45,7 +60,7 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
     for (std::size_t i = 0; i < count; ++i) body(i);
     return;
   }
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  tbb::task_arena& arena = arena_of(threads);
   Loop loop;
   const auto call = [&](std::size_t i) {
     const Call ordered(loop);
