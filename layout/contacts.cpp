@@ -132,7 +132,7 @@ void Contacts::rebuild(const State& x) {
     for (std::int64_t r = row(p.y - reach); r <= row(p.y + reach); ++r) {
       for (std::int64_t c = column(p.x - reach); c <= column(p.x + reach); ++c) {
         const auto k = static_cast<std::size_t>(r * columns + c);
-        for (std::uint32_t s = cell_first_[k]; s < cell_first_[k + 1]; ++s) f(cell_items_[s].box);
+        for (std::uint32_t s = cell_first_[k]; s < cell_first_[k + 1]; ++s) f(cell_items_[s]);
       }
     }
   };
@@ -172,16 +172,17 @@ void Contacts::rebuild(const State& x) {
   for (std::uint32_t z = 0; z < p_.zones.size(); ++z) {
     const Zone& zone = p_.zones[z];
     const Vec2 at = zone.owner && !zone.owner->group() ? x.bodies[zone.owner->body].p : zone_center(zone, x);
-    const auto consider = [&](std::uint32_t j) {
-      const BoxData& d = boxes[j];
+    const auto consider = [&](const Item& j) {
+      const double reach = zone_reach_[z] + j.radius + margin_;
+      const Vec2 gap = at - j.center;
+      if (dot(gap, gap) >= reach * reach) return;
+      const BoxData& d = boxes[j.box];
       const bool own = zone.owner && zone.owner->body == d.body;
       if (own || d.low >= zone.high || zone.low >= d.high) return;
-      const double reach = zone_reach_[z] + d.radius + margin_;
-      const Vec2 gap = at - built_at_[j];
-      if (dot(gap, gap) < reach * reach && zone.concerns(j)) zone_pairs_.push_back(zone_pair_of(z, j));
+      if (zone.concerns(j.box)) zone_pairs_.push_back(zone_pair_of(z, j.box));
     };
     visit(at, zone_reach_[z] + small_radius_ + margin_, consider);
-    for (const std::uint32_t j : large_) consider(j);
+    for (const std::uint32_t j : large_) consider({built_at_[j], boxes[j].radius, j});
   }
   trim(pairs_), trim(zone_pairs_);
 }
