@@ -50,6 +50,13 @@ std::function<int()> set_up_bench(CLI::App& verb) {
   verb.add_option("--max-seats", b->options.max_seats, "growth: the largest theatre, up to 100000")
       ->check(CLI::Range(25, 100000))
       ->capture_default_str();
+  verb.add_option("--max-people", b->options.max_people, "crowd: the largest crowd of the growth, up to 1000000")
+      ->check(CLI::Range(1000, 1000000))
+      ->capture_default_str();
+  verb.add_option("--seconds", b->options.seconds, "crowd: simulated time, at most; as each scene says when absent")
+      ->check(CLI::PositiveNumber);
+  verb.add_option("--threads", b->options.threads, "crowd: threads; all there are when absent")
+      ->check(CLI::Range(1, 1024));
   verb.add_option(
           "--data", b->options.data,
           "rooms, measures: folder that holds rooms/ and pedestrians/ (or the environment variable INHABIT_DATA)")

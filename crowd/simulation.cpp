@@ -1,6 +1,7 @@
 #include "crowd/simulation.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "core/text.h"
@@ -90,6 +91,7 @@ struct Simulation::State {
   double dt = 1.0 / 48;
   int threads = 0;
   std::size_t steps = 0, put_back = 0;
+  StepTimes times;
 
   void let_in();
   Status place(const scene::Crowd& crowd, const RouteBook& book);
@@ -201,13 +203,23 @@ void Simulation::State::let_in() {
 
 void Simulation::step() {
   State& s = *state_;
+  auto before = std::chrono::steady_clock::now();
+  const auto lap = [&](double& total) {
+    const auto now = std::chrono::steady_clock::now();
+    total += std::chrono::duration<double>(now - before).count();
+    before = now;
+  };
   s.let_in();
+  lap(s.times.planning);
   if (!s.agents.empty()) {
     const Surroundings around{s.world.walls, static_cast<float>(s.dt), s.threads};
     std::visit([&](auto& model) { model.step(s.agents, around); }, s.model);
+    lap(s.times.model);
     s.put_back += keep_on_floor(s.agents, s.world.walls, s.threads);
+    lap(s.times.keeping);
     s.journeys.advance(s.agents, *s.planner, s.dt, s.threads);
     s.agents.take_out(s.journeys.leaving());
+    lap(s.times.arriving);
   }
   ++s.steps;
 }
@@ -218,6 +230,7 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
 
 double Simulation::time() const { return static_cast<double>(state_->steps) * state_->dt; }
+const StepTimes& Simulation::times() const { return state_->times; }
 double Simulation::dt() const { return state_->dt; }
 std::size_t Simulation::steps() const { return state_->steps; }
 const Agents& Simulation::agents() const { return state_->agents; }

@@ -21,6 +21,15 @@ struct Settings {
   int threads = 0;                         ///< 0: all there are; never changes the result
 };
 
+/// Where the time of all steps so far went, seconds.
+struct StepTimes {
+  double planning = 0;  ///< who enters, and what everybody wishes
+  double model = 0;
+  double keeping = 0;   ///< looking whether somebody left the floor
+  double arriving = 0;  ///< who has reached a goal, and who leaves
+  double sum() const { return planning + model + keeping + arriving; }
+};
+
 /// A scene with people in it, step after step.
 class Simulation {
  public:
@@ -46,6 +55,7 @@ class Simulation {
   /// How often somebody was put back out of a wall or had lost his numbers; 0 for a model that works.
   std::size_t put_back() const;
   bool finished() const;  ///< nobody is there and nobody will come
+  const StepTimes& times() const;
 
  private:
   struct State;

@@ -9,15 +9,18 @@
 #include "layout/furnish.h"
 #include "session/table.h"
 
-/// The published tables of layout synthesis, measured here, beside the published figures.
+/// The published tables of layout synthesis and of crowds, measured here, beside the published figures.
 namespace inhabit::session {
 using namespace core;
 
 struct BenchOptions {
   int seeds = 100;
-  int max_seats = 3200;    ///< growth: the largest theatre
-  std::string data;        ///< rooms, measures: the folder that holds `rooms/` and `pedestrians/`
-  layout::Options layout;  ///< method, scheme, start; seed, starts and threads are the bench's own
+  int max_seats = 3200;     ///< growth: the largest theatre
+  int max_people = 100000;  ///< crowd: the largest growing crowd, people
+  int threads = 0;          ///< crowd: 0: all there are
+  double seconds = 0;       ///< crowd: of simulated time, at most; 0: as long as each scene says
+  std::string data;         ///< rooms, measures: the folder that holds `rooms/` and `pedestrians/`
+  layout::Options layout;   ///< method, scheme, start; seed, starts and threads are the bench's own
   Progress progress;
   const Cancel* cancel = nullptr;
 };
@@ -61,6 +64,7 @@ Result<BenchGroup> bench_memory(const BenchOptions& options);
 Result<BenchGroup> bench_files(const BenchOptions& options);
 Result<BenchGroup> bench_rooms(const BenchOptions& options);
 Result<BenchGroup> bench_measures(const BenchOptions& options);
+Result<BenchGroup> bench_crowd(const BenchOptions& options);
 
 /// One scene furnished from seeds 1 … `seeds`.
 struct BenchRuns {
