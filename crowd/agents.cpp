@@ -1,14 +1,22 @@
 #include "crowd/agents.h"
 
+#include <functional>
+
+#include "core/parallel.h"
+
 namespace inhabit::crowd {
 
-void Agents::permute(std::span<const std::uint32_t> order) {
+void Agents::permute(std::span<const std::uint32_t> order, int threads) {
   INHABIT_ASSERT(order.size() == size());
+  std::vector<std::function<void()>> arrays;  // each array is one thread's work
   for_each_array([&](auto& array) {
-    auto moved = array;
-    for (std::size_t k = 0; k < order.size(); ++k) moved[k] = array[order[k]];
-    array.swap(moved);
+    arrays.emplace_back([&array, order] {
+      std::remove_reference_t<decltype(array)> moved(order.size());
+      for (std::size_t k = 0; k < order.size(); ++k) moved[k] = array[order[k]];
+      array.swap(moved);
+    });
   });
+  core::parallel_for(arrays.size(), order.size() < 4096 ? 1 : threads, [&](std::size_t k) { arrays[k](); });
 }
 
 void Agents::remove(std::span<const std::uint8_t> flags) {

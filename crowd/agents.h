@@ -48,7 +48,7 @@ struct Agents {
     return size() - 1;
   }
   /// Agent k becomes what agent order[k] was. Requires: a permutation of 0 … size() - 1.
-  void permute(std::span<const std::uint32_t> order);
+  void permute(std::span<const std::uint32_t> order, int threads = 1);
   /// Removes every agent whose flag is set; the others keep their order.
   void remove(std::span<const std::uint8_t> flags);
   /// Removes the agents of these indices; the last ones take their places. Cost: the number of indices, not of agents.

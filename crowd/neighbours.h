@@ -12,7 +12,7 @@ namespace inhabit::crowd {
 /// Lays the grid over the agents and permutes them into its order: one agent's neighbours are then runs of the arrays.
 inline void sort_by_cell(Agents& agents, Grid& grid, float cell, int threads) {
   grid.build(agents.x, agents.y, cell, threads);
-  agents.permute(grid.order());
+  agents.permute(grid.order(), threads);
 }
 
 /// Agents that one call of a parallel loop looks at: enough to hide the call, few enough to share the work evenly.

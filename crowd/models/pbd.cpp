@@ -12,15 +12,16 @@ using namespace pbd_model;
 namespace {
 
 /// Neighbours are found with a skin that lasts about so many steps at the fastest wish.
-constexpr float kStepsPerSearch = 5;
+constexpr float kStepsPerSearch = 10;
 /// The thesis corrects for collisions to come in each of its six iterations; here once, with what those add up to.
 constexpr double kFarPasses = 6;
+/// Pushed apart by less than this, nobody comes nearer to others than the margin of contacts allows for, metres.
+constexpr float kThrow = 1e-3f;
 /// Fewer agents than this are one thread's work: starting others takes longer.
 constexpr std::size_t kSerial = 2048;
 
-void resize_padded(FloatArray& array, std::size_t count) {
-  array.assign((count + kLanes - 1) / kLanes * kLanes + kLanes, 0.0f);
-}
+/// Room for whole blocks and for what vectors read beyond the last one.
+std::size_t padded(std::size_t count) { return (count + kLanes - 1) / kLanes * kLanes + kLanes; }
 
 }  // namespace
 
@@ -29,8 +30,12 @@ struct Pbd::State {
   Work work;
   Constants constants;
   Grid grid;
-  FloatArray built_x, built_y;  ///< where everybody was when neighbours were found
+  FloatArray built;  ///< where everybody was when neighbours were found: pairs
   std::vector<float> stiffness;
+  std::vector<std::size_t> busy;  ///< chunks in which somebody may touch somebody in this step
+  /// Per chunk, of the agents that came in: the largest square of a way since neighbours were found, or less than 0
+  /// when somebody is not where the last step left him; and the fastest that anybody can be.
+  std::vector<float> strayed, speeds;
   std::size_t rebuilds = 0;
   int threads = 0;
 
@@ -39,12 +44,25 @@ struct Pbd::State {
     core::parallel_for(work.chunks.size(), work.count < kSerial ? 1 : threads, [&](std::size_t c) { f(c); });
   }
 
+  /// Calls f(index of the first agent, of the one after the last) for every chunk's agents.
+  template <class F>
+  void for_each_part(F&& f) {
+    for_each_chunk([&](std::size_t c) { f(c, c * kChunk, std::min((c + 1) * kChunk, work.count)); });
+  }
+  /// Calls f(chunk) for those in which somebody may touch somebody.
+  template <class F>
+  void for_each_busy(F&& f) {
+    core::parallel_for(busy.size(), work.count < kSerial ? 1 : threads, [&](std::size_t k) { f(busy[k]); });
+  }
+
   void set_constants(float dt);
-  bool fresh(const Agents& agents) const;
+  bool fresh(const Agents& agents);
   void search(Agents& agents, const Walls& walls);
   void take(const Agents& agents);
-  void give(Agents& agents) const;
-  void hold_walls(const Walls& walls, FloatArray& x, FloatArray& y, std::size_t chunk) const;
+  void give(Agents& agents);
+  void hold_walls(const Walls& walls, FloatArray& places, std::size_t chunk) const;
+  void part_overlaps(const Walls& walls);
+  void contend(const Walls& walls);
   void advance(const Walls& walls);
 };
 
@@ -58,12 +76,13 @@ void Pbd::State::set_constants(float dt) {
   if (k.dt == dt) return;
   const Parameters& p = parameters;
   k.dt = dt;
+  k.parts = p.sub_steps;
   k.part = dt / static_cast<float>(p.sub_steps);
   k.inverse_part = 1 / k.part;
   k.blend = std::min(1.0f, k.part / static_cast<float>(p.relaxation_time));
   k.growth = static_cast<float>(1 + p.contact_margin);
   k.over_relaxation = static_cast<float>(p.over_relaxation);
-  k.static_friction = static_cast<float>(p.static_friction),
+  k.static_friction = static_cast<float>(p.static_friction);
   k.kinetic_friction = static_cast<float>(p.kinetic_friction);
   k.velocity_change = static_cast<float>(p.maximum_acceleration) * dt;
   k.far = p.far;
@@ -78,40 +97,48 @@ void Pbd::State::set_constants(float dt) {
   k.stiffness_of_delay = stiffness.data();
 }
 
-bool Pbd::State::fresh(const Agents& agents) const {
+/// Whether the neighbours found last will do for this step too.
+bool Pbd::State::fresh(const Agents& agents) {
   if (agents.size() != work.count || work.count == 0) return false;
-  float farthest = 0, fastest = 0;
-  for (std::size_t i = 0; i < work.count; ++i) {
-    if (agents.x[i] != work.x[i] || agents.y[i] != work.y[i]) return false;
-    const float dx = work.x[i] - built_x[i], dy = work.y[i] - built_y[i];
-    farthest = std::max(farthest, dx * dx + dy * dy);
-    fastest = std::max(fastest, agents.maximum_speed[i]);
-  }
-  return 2 * (std::sqrt(farthest) + fastest * constants.dt) <= constants.skin;
+  strayed.assign(work.chunks.size(), 0), speeds.assign(work.chunks.size(), 0);
+  for_each_part([&](std::size_t c, std::size_t begin, std::size_t end) {
+    float farthest = 0, fastest = 0;
+    bool same = true;
+    for (std::size_t i = begin; i < end; ++i) {
+      const float x = agents.x[i], y = agents.y[i];
+      same = same && x == work.at[2 * i] && y == work.at[2 * i + 1];
+      const float dx = x - built[2 * i], dy = y - built[2 * i + 1];
+      farthest = std::max(farthest, dx * dx + dy * dy);
+      fastest = std::max(fastest, agents.maximum_speed[i]);
+    }
+    strayed[c] = same ? farthest : -1, speeds[c] = fastest;
+  });
+  if (std::ranges::min(strayed) < 0) return false;
+  constants.moved = std::sqrt(std::ranges::max(strayed));
+  constants.stride = std::ranges::max(speeds) * constants.dt;
+  return 2 * (constants.moved + constants.stride) <= constants.skin;
 }
 
 void Pbd::State::take(const Agents& agents) {
-  const std::size_t n = agents.size();
-  std::copy(agents.x.begin(), agents.x.end(), work.x.begin());
-  std::copy(agents.y.begin(), agents.y.end(), work.y.begin());
-  std::copy(agents.vx.begin(), agents.vx.end(), work.vx.begin());
-  std::copy(agents.vy.begin(), agents.vy.end(), work.vy.begin());
-  std::copy(agents.wish_x.begin(), agents.wish_x.end(), work.wish_x.begin());
-  std::copy(agents.wish_y.begin(), agents.wish_y.end(), work.wish_y.begin());
-  std::copy(agents.maximum_speed.begin(), agents.maximum_speed.end(), work.maximum_speed.begin());
-  if (!work.alike()) {
-    std::copy(agents.radius.begin(), agents.radius.end(), work.radius.begin());
-    std::copy(agents.mass.begin(), agents.mass.end(), work.mass.begin());
-    for (std::size_t i = n; i < work.mass.size(); ++i) work.mass[i] = 1;
-  }
+  for_each_part([&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      work.at[2 * i] = agents.x[i], work.at[2 * i + 1] = agents.y[i];
+      work.v[2 * i] = agents.vx[i], work.v[2 * i + 1] = agents.vy[i];
+      work.wish[2 * i] = agents.wish_x[i], work.wish[2 * i + 1] = agents.wish_y[i];
+      work.maximum_speed[i] = agents.maximum_speed[i];
+    }
+    if (work.alike()) return;
+    for (std::size_t i = begin; i < end; ++i) work.radius[i] = agents.radius[i], work.mass[i] = agents.mass[i];
+  });
 }
 
-void Pbd::State::give(Agents& agents) const {
-  const std::size_t n = agents.size();
-  std::copy_n(work.x.begin(), n, agents.x.begin());
-  std::copy_n(work.y.begin(), n, agents.y.begin());
-  std::copy_n(work.vx.begin(), n, agents.vx.begin());
-  std::copy_n(work.vy.begin(), n, agents.vy.begin());
+void Pbd::State::give(Agents& agents) {
+  for_each_part([&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      agents.x[i] = work.at[2 * i], agents.y[i] = work.at[2 * i + 1];
+      agents.vx[i] = work.v[2 * i], agents.vy[i] = work.v[2 * i + 1];
+    }
+  });
 }
 
 void Pbd::State::search(Agents& agents, const Walls& walls) {
@@ -136,89 +163,109 @@ void Pbd::State::search(Agents& agents, const Walls& walls) {
   reach.far_range = static_cast<float>(parameters.far_range);
   reach.far_count = static_cast<std::uint32_t>(parameters.far_neighbours);
   grid.build(agents.x, agents.y, 2 * total / static_cast<float>(n) * constants.growth + constants.skin, threads);
-  agents.permute(grid.order());
+  agents.permute(grid.order(), threads);
 
   work.count = n;
-  for (FloatArray* array : {&work.x, &work.y, &work.next_x, &work.next_y, &work.base_x, &work.base_y, &work.moved_x,
-                            &work.moved_y, &work.predicted_x, &work.predicted_y, &work.corrected_x, &work.corrected_y,
-                            &work.vx, &work.vy, &work.wish_x, &work.wish_y, &work.maximum_speed})
-    resize_padded(*array, n);
-  work.radius.clear(), work.mass.clear();
-  if (!alike) resize_padded(work.radius, n), resize_padded(work.mass, n);
+  for (FloatArray* pairs :
+       {&work.at, &work.next, &work.base, &work.moved, &work.predicted, &work.corrected, &work.v, &work.wish})
+    pairs->resize(2 * padded(n));
+  work.maximum_speed.resize(padded(n));
+  work.radius.assign(alike ? 0 : padded(n), 0), work.mass.assign(alike ? 0 : padded(n), 1);
   work.common_radius = widest;
   work.chunks.resize((work.blocks() + kBlocksPerChunk - 1) / kBlocksPerChunk);
   take(agents);
-  built_x = work.x, built_y = work.y;
+  built = work.at;
+  constants.moved = 0, constants.stride = fastest * constants.dt;
   for_each_chunk([&](std::size_t c) {
     find_neighbours(work, grid, reach, c);
     find_walls(work, walls, reach, c);
   });
 }
 
-void Pbd::State::hold_walls(const Walls& walls, FloatArray& x, FloatArray& y, std::size_t chunk) const {
+void Pbd::State::hold_walls(const Walls& walls, FloatArray& places, std::size_t chunk) const {
   // Twice, for corners: the second wall may push into the first.
   for (int round = 0; round < 2; ++round)
     for (const NearWall& near : work.chunks[chunk].walls) {
       const WallSegment& s = walls.segments()[near.segment];
       const std::size_t i = near.agent;
       const float radius = work.alike() ? work.common_radius : work.radius[i];
-      const WallPoint p = nearest_point(s, x[i], y[i]);
-      const float dx = x[i] - p.x, dy = y[i] - p.y;
+      float &x = places[2 * i], &y = places[2 * i + 1];
+      const WallPoint p = nearest_point(s, x, y);
+      const float dx = x - p.x, dy = y - p.y;
       const float d2 = dx * dx + dy * dy;
       const float ex = s.bx - s.ax, ey = s.by - s.ay;
       // Beyond its ends a wall has no behind: whoever walks round a pillar's corner crosses the line of a side.
-      const float at = ex * (x[i] - s.ax) + ey * (y[i] - s.ay);
+      const float at = ex * (x - s.ax) + ey * (y - s.ay);
       const bool beside = at >= 0 && at <= ex * ex + ey * ey;
-      const bool behind = beside && ex * (y[i] - s.ay) - ey * (x[i] - s.ax) < 0;
+      const bool behind = beside && ex * (y - s.ay) - ey * (x - s.ax) < 0;
       if (!behind && d2 >= radius * radius) continue;
       const float distance = std::sqrt(d2), length = std::sqrt(ex * ex + ey * ey);
       // From behind, or on the wall itself: along the wall's normal, which points to the floor.
       const bool along = behind || distance < 1e-6f;
       if (along && length == 0) continue;
       const float nx = along ? -ey / length : dx / distance, ny = along ? ex / length : dy / distance;
-      x[i] = p.x + radius * nx, y[i] = p.y + radius * ny;
+      x = p.x + radius * nx, y = p.y + radius * ny;
     }
+}
+
+/// Who may touch somebody before the step is over; what overlaps already is pushed apart.
+void Pbd::State::part_overlaps(const Walls& walls) {
+  const auto look = [&] {
+    for_each_chunk([&](std::size_t c) { narrow(work, constants, c); });
+    busy.clear();
+    for (std::size_t c = 0; c < work.chunks.size(); ++c)
+      if (work.chunks[c].busy_count > 0) busy.push_back(c);
+  };
+  look();
+  float thrown = 0;
+  for (int round = 0; round < parameters.stability_iterations; ++round) {
+    for_each_busy([&](std::size_t c) {
+      stabilise(work, constants, c);
+      hold_walls(walls, work.corrected, c);
+    });
+    for_each_busy([&](std::size_t c) { settle(work, constants, c); });
+    float most = 0;
+    for (const std::size_t c : busy) most = std::max(most, work.chunks[c].thrown);
+    thrown += most;
+  }
+  // Whoever was thrown may be near others now.
+  if (thrown < kThrow) return;
+  constants.moved += thrown;
+  look();
+}
+
+/// The sub-steps of those who may touch somebody.
+void Pbd::State::contend(const Walls& walls) {
+  for_each_busy([&](std::size_t c) { predict(work, constants, c); });
+  for (int part = 0; part < parameters.sub_steps; ++part) {
+    for (int round = 1; round <= parameters.iterations; ++round) {
+      for_each_busy([&](std::size_t c) {
+        project(work, constants, c);
+        hold_walls(walls, work.corrected, c);
+        if (round < parameters.iterations) return;
+        finish(work, constants, c);
+        hold_walls(walls, work.next, c);
+        for (const NearWall& near : work.chunks[c].walls)
+          for (const std::size_t k : {2 * near.agent, 2 * near.agent + 1}) work.moved[k] = work.next[k] - work.base[k];
+      });
+      work.predicted.swap(work.corrected);
+    }
+    work.at.swap(work.next);
+  }
 }
 
 void Pbd::State::advance(const Walls& walls) {
   if (constants.headway > 0) for_each_chunk([&](std::size_t c) { heed(work, constants, c); });
   if (constants.far != 0) {
-    for_each_chunk([&](std::size_t c) { foresee(work, constants, c, work.next_x.data(), work.next_y.data()); });
-    work.vx.swap(work.next_x), work.vy.swap(work.next_y);
+    for_each_chunk([&](std::size_t c) { intend(work, constants, c); });
+    for_each_chunk([&](std::size_t c) { foresee(work, constants, c); });
   }
-  for (int round = 0; round < parameters.stability_iterations; ++round) {
-    for_each_chunk([&](std::size_t c) {
-      stabilise(work, constants, c, work.next_x.data(), work.next_y.data());
-      hold_walls(walls, work.next_x, work.next_y, c);
-    });
-    work.x.swap(work.next_x), work.y.swap(work.next_y);
-  }
-  for_each_chunk([&](std::size_t c) { predict(work, constants, c); });
-  for (int part = 0; part < parameters.sub_steps; ++part) {
-    for (int round = 1; round < parameters.iterations; ++round) {
-      for_each_chunk([&](std::size_t c) {
-        project(work, constants, c, work.corrected_x.data(), work.corrected_y.data());
-        hold_walls(walls, work.corrected_x, work.corrected_y, c);
-      });
-      work.predicted_x.swap(work.corrected_x), work.predicted_y.swap(work.corrected_y);
-    }
-    for_each_chunk([&](std::size_t c) {
-      project(work, constants, c, work.corrected_x.data(), work.corrected_y.data());
-      hold_walls(walls, work.corrected_x, work.corrected_y, c);
-    });
-    for_each_chunk([&](std::size_t c) {
-      finish(work, constants, c);
-      hold_walls(walls, work.next_x, work.next_y, c);
-      for (const NearWall& near : work.chunks[c].walls) {
-        work.moved_x[near.agent] = work.next_x[near.agent] - work.base_x[near.agent];
-        work.moved_y[near.agent] = work.next_y[near.agent] - work.base_y[near.agent];
-      }
-    });
-    work.x.swap(work.next_x), work.y.swap(work.next_y);
-  }
+  part_overlaps(walls);
+  for_each_chunk([&](std::size_t c) { glide(work, constants, c); });
+  contend(walls);
   if (constants.cohesion > 0) {
-    for_each_chunk([&](std::size_t c) { cohere(work, constants, c, work.next_x.data(), work.next_y.data()); });
-    work.vx.swap(work.next_x), work.vy.swap(work.next_y);
+    for_each_chunk([&](std::size_t c) { cohere(work, constants, c); });
+    work.v.swap(work.next);
   }
 }
 
@@ -238,31 +285,15 @@ void Pbd::step(Agents& agents, const Surroundings& around) {
 std::size_t Pbd::bytes() const {
   const State& s = *state_;
   std::size_t total = 0;
-  for (const FloatArray* array : {&s.work.x,
-                                  &s.work.y,
-                                  &s.work.next_x,
-                                  &s.work.next_y,
-                                  &s.work.base_x,
-                                  &s.work.base_y,
-                                  &s.work.moved_x,
-                                  &s.work.moved_y,
-                                  &s.work.predicted_x,
-                                  &s.work.predicted_y,
-                                  &s.work.corrected_x,
-                                  &s.work.corrected_y,
-                                  &s.work.vx,
-                                  &s.work.vy,
-                                  &s.work.wish_x,
-                                  &s.work.wish_y,
-                                  &s.work.maximum_speed,
-                                  &s.work.radius,
-                                  &s.work.mass,
-                                  &s.built_x,
-                                  &s.built_y})
+  for (const FloatArray* array :
+       {&s.work.at, &s.work.next, &s.work.base, &s.work.moved, &s.work.predicted, &s.work.corrected, &s.work.v,
+        &s.work.wish, &s.work.maximum_speed, &s.work.radius, &s.work.mass, &s.built})
     total += array->capacity() * sizeof(float);
-  for (const Chunk& chunk : s.work.chunks)
-    total += sizeof(Chunk) + (chunk.contacts.items.capacity() + chunk.far.items.capacity()) * sizeof(std::int32_t) +
-             chunk.walls.capacity() * sizeof(NearWall);
+  for (const Chunk& chunk : s.work.chunks) {
+    total += sizeof(Chunk) + chunk.walls.capacity() * sizeof(NearWall);
+    for (const NeighbourRows* rows : {&chunk.contacts, &chunk.far, &chunk.near})
+      total += rows->items.capacity() * sizeof(std::int32_t);
+  }
   return total;
 }
 

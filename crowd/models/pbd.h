@@ -8,9 +8,11 @@ namespace inhabit::crowd {
 
 /// Position-based crowds (thesis ch. 4, algorithm 2), with the printed errors corrected and these deviations, each for
 /// speed or depth of overlap (docs/crowds.md has the figures):
-///   - a step is cut into eight sub-steps of two iterations that share their neighbours, instead of six iterations of
-///     one step: many small steps beat many iterations; so radii need to grow by 2 % only, not 5 %;
-///   - neighbours are found with a skin and kept while nobody has moved through half of it;
+///   - a step is cut into eight sub-steps of one iteration, over-relaxed by 1.8, that share their neighbours, instead of
+///     six iterations of one step over-relaxed by 1.2: many small steps beat many iterations; so radii need to grow by
+///     2 % only, not 5 %;
+///   - neighbours are found with a skin and kept while nobody has moved through half of it, about ten steps;
+///   - sub-steps are made by those alone who may touch somebody before the step is over;
 ///   - collisions to come are looked at once in a step, for the nearest few, with the stiffness that the six
 ///     passes of the thesis add up to, 1 - (1 - k)^6; their corrections enter as a change of velocity;
 ///   - the acceleration that is clamped is the one that people want, not what a contact does to them: clamping that

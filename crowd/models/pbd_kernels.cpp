@@ -20,53 +20,128 @@ constexpr DI kDI;
 
 HWY_INLINE V set(float value) { return hn::Set(kD, value); }
 
-/// (x, y) shortened to a length of at most `longest`.
-HWY_INLINE void shorten(V& x, V& y, V longest) {
-  const V length = hn::Sqrt(hn::Add(hn::Mul(x, x), hn::Mul(y, y)));
-  const V factor = hn::IfThenElse(hn::Gt(length, longest), hn::Div(longest, hn::Max(length, set(1e-12f))), set(1));
-  x = hn::Mul(x, factor), y = hn::Mul(y, factor);
+struct Pair {
+  V x, y;
+};
+HWY_INLINE Pair operator+(Pair a, Pair b) { return {hn::Add(a.x, b.x), hn::Add(a.y, b.y)}; }
+HWY_INLINE Pair operator-(Pair a, Pair b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y)}; }
+HWY_INLINE Pair scaled(V s, Pair a) { return {hn::Mul(s, a.x), hn::Mul(s, a.y)}; }
+HWY_INLINE V dot(Pair a, Pair b) { return hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)); }
+HWY_INLINE Pair zero() { return {hn::Zero(kD), hn::Zero(kD)}; }
+HWY_INLINE Pair kept(M mask, Pair a) { return {hn::IfThenElseZero(mask, a.x), hn::IfThenElseZero(mask, a.y)}; }
+HWY_INLINE Pair chosen(M mask, Pair a, Pair b) {
+  return {hn::IfThenElse(mask, a.x, b.x), hn::IfThenElse(mask, a.y, b.y)};
+}
+
+/// The pairs of the agents i, i + 1, …
+HWY_INLINE Pair load(const FloatArray& pairs, std::size_t i) {
+  const V low = hn::Load(kD, pairs.data() + 2 * i), high = hn::Load(kD, pairs.data() + 2 * i + hn::Lanes(kD));
+#if HWY_TARGET == HWY_SCALAR
+  return {low, high};
+#else
+  return {hn::ConcatEven(kD, high, low), hn::ConcatOdd(kD, high, low)};
+#endif
+}
+HWY_INLINE void store(Pair a, FloatArray& pairs, std::size_t i) {
+  hn::StoreInterleaved2(a.x, a.y, kD, pairs.data() + 2 * i);
+}
+/// The pairs of those agents.
+HWY_INLINE Pair gather(const FloatArray& pairs, VI index) {
+#if HWY_TARGET <= HWY_AVX2
+  // Half as many looks at memory as for x and y on their own.
+  const hn::Repartition<double, D> doubles;
+  const hn::RebindToSigned<decltype(doubles)> longs;
+  const auto* both = reinterpret_cast<const double*>(pairs.data());
+  const auto first = hn::PromoteTo(longs, hn::LowerHalf(index));
+  const auto second = hn::PromoteTo(longs, hn::UpperHalf(hn::Half<DI>(), index));
+  const V low = hn::BitCast(kD, hn::GatherIndex(doubles, both, first));
+  const V high = hn::BitCast(kD, hn::GatherIndex(doubles, both, second));
+  return {hn::ConcatEven(kD, high, low), hn::ConcatOdd(kD, high, low)};
+#else
+  const VI twice = hn::ShiftLeft<1>(index);
+  return {hn::GatherIndex(kD, pairs.data(), twice), hn::GatherIndex(kD, pairs.data() + 1, twice)};
+#endif
+}
+
+/// 1 / sqrt(a) to 5e-6 of it, for a > 0: two of Newton's steps from a first guess in the bits. Roots and quotients of
+/// the processor take three times as long, and its own quick guess differs from one to the next.
+HWY_INLINE V inverse_root(V a) {
+  const VI guess = hn::Sub(hn::Set(kDI, 0x5f375a86), hn::ShiftRight<1>(hn::BitCast(kDI, a)));
+  const V half = hn::Mul(set(0.5f), a);
+  V y = hn::BitCast(kD, guess);
+  y = hn::Mul(y, hn::Sub(set(1.5f), hn::Mul(half, hn::Mul(y, y))));
+  return hn::Mul(y, hn::Sub(set(1.5f), hn::Mul(half, hn::Mul(y, y))));
+}
+
+/// Shortened to a length of at most `longest`.
+HWY_INLINE Pair shortened(Pair a, V longest) {
+  const V square = dot(a, a);
+  const M over = hn::Gt(square, hn::Mul(longest, longest));
+  if (hn::AllFalse(kD, over)) return a;
+  return scaled(hn::IfThenElse(over, hn::Div(longest, hn::Sqrt(square)), set(1)), a);
+}
+
+/// What an agent is beside its place.
+struct Self {
+  VI index;
+  V radius, mass;  ///< only when not everybody is alike
+};
+HWY_INLINE Self self_at(const Work& work, VI index, std::size_t i) {
+  if (work.alike()) return {index, set(work.common_radius), set(1)};
+  return {index, hn::Load(kD, work.radius.data() + i), hn::Load(kD, work.mass.data() + i)};
+}
+/// (r_i + r_j) * growth.
+HWY_INLINE V reach_of(const Work& work, const Self& self, VI other, float growth) {
+  if (work.alike()) return set(2 * work.common_radius * growth);
+  return hn::Mul(hn::Add(self.radius, hn::GatherIndex(kD, work.radius.data(), other)), set(growth));
+}
+/// w_i / (w_i + w_j) with w = 1 / m.
+HWY_INLINE V share_of(const Work& work, const Self& self, VI other) {
+  if (work.alike()) return set(0.5f);
+  const V mass = hn::GatherIndex(kD, work.mass.data(), other);
+  return hn::Div(mass, hn::Add(self.mass, mass));
 }
 
 /// A pair's geometry: n points from the neighbour to the agent, depth > 0 where the discs overlap.
 struct Contact {
   M touching;
-  V nx, ny, depth, share;
+  Pair n;
+  V depth;
 };
 
-/// Contact of agents `self` at (xi, yi) with `other`. Coincident agents are pushed apart along x, the lower index to
-/// the left. [thesis eq. 4.2]
-HWY_INLINE Contact contact(const Work& work, const Constants& k, VI self, VI other, V xi, V yi, V ri, V mi,
-                           const float* x, const float* y) {
-  const V dx = hn::Sub(xi, hn::GatherIndex(kD, x, other)), dy = hn::Sub(yi, hn::GatherIndex(kD, y, other));
-  const V d2 = hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy));
+/// Contact of agents `self` at xi with `other` among `places`. Coincident agents are pushed apart along x, the lower
+/// index to the left. [thesis eq. 4.2]
+HWY_INLINE Contact contact(const Work& work, const Self& self, VI other, Pair xi, const FloatArray& places,
+                           float growth) {
+  const Pair d = xi - gather(places, other);
+  const V d2 = dot(d, d), reach = reach_of(work, self, other, growth);
   Contact c;
-  V reach, mj = mi;
-  if (work.alike()) {
-    reach = set(2 * work.common_radius * k.growth);
-    c.share = set(0.5f);
-  } else {
-    reach = hn::Mul(hn::Add(ri, hn::GatherIndex(kD, work.radius.data(), other)), set(k.growth));
-    mj = hn::GatherIndex(kD, work.mass.data(), other);
-  }
-  c.touching = hn::AndNot(hn::RebindMask(kD, hn::Eq(self, other)), hn::Lt(d2, hn::Mul(reach, reach)));
+  c.touching = hn::AndNot(hn::RebindMask(kD, hn::Eq(self.index, other)), hn::Lt(d2, hn::Mul(reach, reach)));
   if (hn::AllFalse(kD, c.touching)) return c;
-  if (!work.alike()) c.share = hn::Div(mj, hn::Add(mi, mj));
-  const M coincident = hn::Eq(d2, hn::Zero(kD));
-  const V distance = hn::Sqrt(d2);
-  const V inverse = hn::Div(set(1), hn::IfThenElse(coincident, set(1), distance));
-  const V side = hn::IfThenElse(hn::RebindMask(kD, hn::Lt(self, other)), set(-1), set(1));
-  c.nx = hn::IfThenElse(coincident, side, hn::Mul(dx, inverse));
-  c.ny = hn::Mul(dy, inverse);
-  c.depth = hn::Sub(reach, distance);
+  const M coincident = hn::Lt(d2, set(kCoincident));
+  const V inverse = inverse_root(hn::IfThenElse(coincident, set(1), d2));
+  const V side = hn::IfThenElse(hn::RebindMask(kD, hn::Lt(self.index, other)), set(-1), set(1));
+  c.n = chosen(coincident, {side, hn::Zero(kD)}, scaled(inverse, d));
+  c.depth = hn::Sub(reach, hn::Mul(d2, inverse));
   return c;
 }
 
-/// Calls f(lane offset, index of the first agent, indices of the agents) for every vector of a chunk, f's rows being
-/// [first, last).
-template <class F>
+/// The factor on the sum of so many contacts' corrections: the average, over-relaxed. One contact alone is never
+/// over-relaxed: the two would bounce.
+HWY_INLINE V relaxed(const Constants& k, V touches) {
+  const V most = hn::Max(touches, set(1));
+  return hn::Div(hn::Min(set(k.over_relaxation), most), most);
+}
+
+/// Calls f(first agent, its and the others' indices, their rows, the number of rows) for every vector of a chunk, or of
+/// its busy blocks alone.
+enum class Which { all, busy };
+template <Which which, class F>
 HWY_INLINE void for_each_vector(const Work& work, const NeighbourRows& rows, std::size_t chunk, F&& f) {
   const std::size_t lanes = hn::Lanes(kD);
+  const Chunk& c = work.chunks[chunk];
   for (std::size_t b = 0; b < work.blocks_of(chunk); ++b) {
+    if (which == Which::busy && !c.busy[b]) continue;
     const std::size_t first = chunk * kChunk + b * kLanes;
     for (std::size_t lane = 0; lane < kLanes; lane += lanes) {
       const VI self = hn::Add(hn::Set(kDI, static_cast<std::int32_t>(first + lane)), hn::Iota(kDI, 0));
@@ -75,201 +150,223 @@ HWY_INLINE void for_each_vector(const Work& work, const NeighbourRows& rows, std
   }
 }
 
-void stabilise(const Work& work, const Constants& k, std::size_t chunk, float* out_x, float* out_y) {
-  for_each_vector(work, work.chunks[chunk].contacts, chunk,
-                  [&](std::size_t i, VI self, const std::int32_t* items, std::uint32_t rows) {
-                    const V xi = hn::Load(kD, work.x.data() + i), yi = hn::Load(kD, work.y.data() + i);
-                    const V ri = work.alike() ? xi : hn::Load(kD, work.radius.data() + i);
-                    const V mi = work.alike() ? xi : hn::Load(kD, work.mass.data() + i);
-                    V sx = hn::Zero(kD), sy = sx, touches = sx;
-                    Constants exact = k;
-                    exact.growth = 1;
-                    for (std::uint32_t r = 0; r < rows; ++r) {
-                      const VI other = hn::Load(kDI, items + r * kLanes);
-                      const Contact c = contact(work, exact, self, other, xi, yi, ri, mi, work.x.data(), work.y.data());
-                      if (hn::AllFalse(kD, c.touching)) continue;
-                      const V push = hn::IfThenElseZero(c.touching, hn::Mul(c.share, c.depth));
-                      sx = hn::Add(sx, hn::Mul(push, c.nx)), sy = hn::Add(sy, hn::Mul(push, c.ny));
-                      touches = hn::Add(touches, hn::IfThenElseZero(c.touching, set(1)));
-                    }
-                    const V factor = hn::Div(set(k.over_relaxation), hn::Max(touches, set(1)));
-                    hn::Store(hn::Add(xi, hn::Mul(sx, factor)), kD, out_x + i);
-                    hn::Store(hn::Add(yi, hn::Mul(sy, factor)), kD, out_y + i);
-                  });
-}
-
-void predict(Work& work, const Constants& k, std::size_t chunk) {
-  const std::size_t begin = chunk * kChunk, end = begin + work.blocks_of(chunk) * kLanes;
-  const V keep = set(1 - k.blend), blend = set(k.blend), part = set(k.part);
-  for (std::size_t i = begin; i < end; i += hn::Lanes(kD)) {
-    const V bx =
-        hn::Add(hn::Mul(keep, hn::Load(kD, work.vx.data() + i)), hn::Mul(blend, hn::Load(kD, work.wish_x.data() + i)));
-    const V by =
-        hn::Add(hn::Mul(keep, hn::Load(kD, work.vy.data() + i)), hn::Mul(blend, hn::Load(kD, work.wish_y.data() + i)));
-    const V x = hn::Load(kD, work.x.data() + i), y = hn::Load(kD, work.y.data() + i);
-    hn::Store(x, kD, work.base_x.data() + i), hn::Store(y, kD, work.base_y.data() + i);
-    hn::Store(hn::Zero(kD), kD, work.moved_x.data() + i), hn::Store(hn::Zero(kD), kD, work.moved_y.data() + i);
-    hn::Store(hn::Add(x, hn::Mul(part, bx)), kD, work.predicted_x.data() + i);
-    hn::Store(hn::Add(y, hn::Mul(part, by)), kD, work.predicted_y.data() + i);
+/// Calls f(first agent) for every vector of a chunk's blocks that are busy, or of those that are not.
+template <class F>
+HWY_INLINE void for_each_vector_of(const Work& work, std::size_t chunk, bool busy, F&& f) {
+  const Chunk& c = work.chunks[chunk];
+  for (std::size_t b = 0; b < work.blocks_of(chunk); ++b) {
+    if ((c.busy[b] != 0) != busy) continue;
+    const std::size_t first = chunk * kChunk + b * kLanes;
+    for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(kD)) f(first + lane);
   }
 }
 
-void project(const Work& work, const Constants& k, std::size_t chunk, float* out_x, float* out_y) {
+HWY_INLINE Pair blended(const Constants& k, Pair v, Pair wish) {
+  return scaled(set(1 - k.blend), v) + scaled(set(k.blend), wish);
+}
+
+/// True when somebody of the row comes within `reach` of the grown discs of the agents of a block.
+HWY_INLINE bool comes_near(const Work& work, const Constants& k, std::size_t first, const std::int32_t* row,
+                           float stride) {
+  for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(kD)) {
+    const VI index = hn::Add(hn::Set(kDI, static_cast<std::int32_t>(first + lane)), hn::Iota(kDI, 0));
+    const VI other = hn::Load(kDI, row + lane);
+    const Pair d = load(work.at, first + lane) - gather(work.at, other);
+    const V reach = hn::Add(reach_of(work, self_at(work, index, first + lane), other, k.growth), set(stride));
+    const M near = hn::AndNot(hn::RebindMask(kD, hn::Eq(index, other)), hn::Lt(dot(d, d), hn::Mul(reach, reach)));
+    if (!hn::AllFalse(kD, near)) return true;
+  }
+  return false;
+}
+
+void narrow(Work& work, const Constants& k, std::size_t chunk) {
+  Chunk& c = work.chunks[chunk];
+  c.near.items.clear();
+  c.near.first[0] = 0;
+  c.busy_count = 0;
+  const float stride = 2 * k.stride, far = 2 * (k.moved + k.stride);
+  for (std::size_t b = 0; b < work.blocks_of(chunk); ++b) {
+    std::uint32_t kept = 0;
+    if (c.gap[b] <= far) {
+      for (std::uint32_t r = c.contacts.first[b]; r < c.contacts.first[b + 1]; ++r) {
+        const std::int32_t* row = c.contacts.items.data() + r * kLanes;
+        if (!comes_near(work, k, chunk * kChunk + b * kLanes, row, stride)) continue;
+        c.near.items.insert(c.near.items.end(), row, row + kLanes);
+        ++kept;
+      }
+    }
+    c.near.first[b + 1] = c.near.first[b] + kept;
+    c.busy[b] = kept > 0 || c.gap[b] < 0;
+    c.busy_count += c.busy[b];
+  }
+}
+
+void glide(Work& work, const Constants& k, std::size_t chunk) {
+  for_each_vector_of(work, chunk, false, [&](std::size_t i) {
+    const Pair base = load(work.at, i), wish = load(work.wish, i);
+    const V longest = hn::Load(kD, work.maximum_speed.data() + i);
+    Pair v = load(work.v, i), moved = zero();
+    for (int part = 0; part < k.parts; ++part) {
+      v = shortened(blended(k, v, wish), longest);
+      moved = moved + scaled(set(k.part), v);
+    }
+    const Pair to = base + moved;
+    store(v, work.v, i);
+    store(to, work.at, i), store(to, work.next, i), store(to, work.predicted, i), store(to, work.corrected, i);
+  });
+}
+
+void stabilise(Work& work, const Constants& k, std::size_t chunk) {
+  for_each_vector<Which::busy>(work, work.chunks[chunk].near, chunk,
+                               [&](std::size_t i, VI index, const std::int32_t* items, std::uint32_t rows) {
+                                 const Pair xi = load(work.at, i);
+                                 const Self self = self_at(work, index, i);
+                                 Pair sum = zero();
+                                 V touches = hn::Zero(kD);
+                                 for (std::uint32_t r = 0; r < rows; ++r) {
+                                   const VI other = hn::Load(kDI, items + r * kLanes);
+                                   const Contact c = contact(work, self, other, xi, work.at, 1);
+                                   if (hn::AllFalse(kD, c.touching)) continue;
+                                   const V push = hn::Mul(share_of(work, self, other), c.depth);
+                                   sum = sum + kept(c.touching, scaled(push, c.n));
+                                   touches = hn::Add(touches, hn::IfThenElseZero(c.touching, set(1)));
+                                 }
+                                 const V factor = relaxed(k, touches);
+                                 store(xi + scaled(factor, sum), work.corrected, i);
+                               });
+}
+
+void settle(Work& work, const Constants&, std::size_t chunk) {
+  V most = hn::Zero(kD);
+  for_each_vector_of(work, chunk, true, [&](std::size_t i) {
+    const Pair to = load(work.corrected, i), way = to - load(work.at, i);
+    most = hn::Max(most, dot(way, way));
+    store(to, work.at, i);
+  });
+  work.chunks[chunk].thrown = hn::GetLane(hn::Sqrt(hn::MaxOfLanes(kD, most)));
+}
+
+void predict(Work& work, const Constants& k, std::size_t chunk) {
+  for_each_vector_of(work, chunk, true, [&](std::size_t i) {
+    const Pair at = load(work.at, i);
+    store(at, work.base, i), store(zero(), work.moved, i);
+    store(at + scaled(set(k.part), blended(k, load(work.v, i), load(work.wish, i))), work.predicted, i);
+  });
+}
+
+/// What friction takes of a contact's correction: the tangential part of how the two have moved against each other
+/// [Macklin14 eq. 23, 24].
+HWY_INLINE Pair rubbed(const Constants& k, const Contact& c, Pair u) {
+  const Pair t = u - scaled(dot(u, c.n), c.n);
+  const V slid = hn::Sqrt(dot(t, t));
+  const V kinetic = hn::Min(hn::Div(hn::Mul(set(k.kinetic_friction), c.depth), hn::Max(slid, set(1e-12f))), set(1));
+  return scaled(hn::IfThenElse(hn::Lt(slid, hn::Mul(set(k.static_friction), c.depth)), set(1), kinetic), t);
+}
+
+void project(Work& work, const Constants& k, std::size_t chunk) {
   const bool friction = k.static_friction > 0 || k.kinetic_friction > 0;
-  for_each_vector(
-      work, work.chunks[chunk].contacts, chunk,
-      [&](std::size_t i, VI self, const std::int32_t* items, std::uint32_t rows) {
-        const V xi = hn::Load(kD, work.predicted_x.data() + i), yi = hn::Load(kD, work.predicted_y.data() + i);
-        const V ri = work.alike() ? xi : hn::Load(kD, work.radius.data() + i);
-        const V mi = work.alike() ? xi : hn::Load(kD, work.mass.data() + i);
-        const V moved_x = hn::Sub(xi, hn::Load(kD, work.x.data() + i));
-        const V moved_y = hn::Sub(yi, hn::Load(kD, work.y.data() + i));
-        V sx = hn::Zero(kD), sy = sx, touches = sx;
+  for_each_vector<Which::busy>(
+      work, work.chunks[chunk].near, chunk,
+      [&](std::size_t i, VI index, const std::int32_t* items, std::uint32_t rows) {
+        const Pair xi = load(work.predicted, i), moved = xi - load(work.at, i);
+        const Self self = self_at(work, index, i);
+        Pair sum = zero();
+        V touches = hn::Zero(kD);
         for (std::uint32_t r = 0; r < rows; ++r) {
           const VI other = hn::Load(kDI, items + r * kLanes);
-          const Contact c =
-              contact(work, k, self, other, xi, yi, ri, mi, work.predicted_x.data(), work.predicted_y.data());
+          const Contact c = contact(work, self, other, xi, work.predicted, k.growth);
           if (hn::AllFalse(kD, c.touching)) continue;
-          V px = hn::Mul(c.depth, c.nx), py = hn::Mul(c.depth, c.ny);
-          if (friction) {
-            // The tangential part of how the two have moved against each other [Macklin14 eq. 23, 24].
-            const V ux = hn::Sub(moved_x, hn::Sub(hn::GatherIndex(kD, work.predicted_x.data(), other),
-                                                  hn::GatherIndex(kD, work.x.data(), other)));
-            const V uy = hn::Sub(moved_y, hn::Sub(hn::GatherIndex(kD, work.predicted_y.data(), other),
-                                                  hn::GatherIndex(kD, work.y.data(), other)));
-            const V un = hn::Add(hn::Mul(ux, c.nx), hn::Mul(uy, c.ny));
-            const V tx = hn::Sub(ux, hn::Mul(un, c.nx)), ty = hn::Sub(uy, hn::Mul(un, c.ny));
-            const V slid = hn::Sqrt(hn::Add(hn::Mul(tx, tx), hn::Mul(ty, ty)));
-            const V kinetic =
-                hn::Min(hn::Div(hn::Mul(set(k.kinetic_friction), c.depth), hn::Max(slid, set(1e-12f))), set(1));
-            const V held = hn::IfThenElse(hn::Lt(slid, hn::Mul(set(k.static_friction), c.depth)), set(1), kinetic);
-            px = hn::Sub(px, hn::Mul(held, tx)), py = hn::Sub(py, hn::Mul(held, ty));
-          }
-          sx = hn::Add(sx, hn::IfThenElseZero(c.touching, hn::Mul(c.share, px)));
-          sy = hn::Add(sy, hn::IfThenElseZero(c.touching, hn::Mul(c.share, py)));
+          Pair push = scaled(c.depth, c.n);
+          if (friction) push = push - rubbed(k, c, moved - (gather(work.predicted, other) - gather(work.at, other)));
+          sum = sum + kept(c.touching, scaled(share_of(work, self, other), push));
           touches = hn::Add(touches, hn::IfThenElseZero(c.touching, set(1)));
         }
-        const V factor = hn::Div(set(k.over_relaxation), hn::Max(touches, set(1)));
-        hn::Store(hn::Add(xi, hn::Mul(sx, factor)), kD, out_x + i);
-        hn::Store(hn::Add(yi, hn::Mul(sy, factor)), kD, out_y + i);
+        const V factor = relaxed(k, touches);
+        store(xi + scaled(factor, sum), work.corrected, i);
       });
 }
 
 void finish(Work& work, const Constants& k, std::size_t chunk) {
-  const std::size_t begin = chunk * kChunk, end = begin + work.blocks_of(chunk) * kLanes;
-  const V keep = set(1 - k.blend), blend = set(k.blend), part = set(k.part), inverse = set(k.inverse_part);
-  for (std::size_t i = begin; i < end; i += hn::Lanes(kD)) {
-    const V x = hn::Load(kD, work.x.data() + i), y = hn::Load(kD, work.y.data() + i);
-    const V wish_x = hn::Load(kD, work.wish_x.data() + i), wish_y = hn::Load(kD, work.wish_y.data() + i);
+  const V part = set(k.part);
+  for_each_vector_of(work, chunk, true, [&](std::size_t i) {
+    const Pair wish = load(work.wish, i), wanted = blended(k, load(work.v, i), wish);
     // The blended velocity plus what was corrected: the difference of positions alone would lose it to rounding far
     // from the origin.
-    V vx = hn::Add(hn::Mul(keep, hn::Load(kD, work.vx.data() + i)), hn::Mul(blend, wish_x));
-    V vy = hn::Add(hn::Mul(keep, hn::Load(kD, work.vy.data() + i)), hn::Mul(blend, wish_y));
-    const V begun_x = hn::Add(x, hn::Mul(part, vx)), begun_y = hn::Add(y, hn::Mul(part, vy));
-    vx = hn::Add(vx, hn::Mul(hn::Sub(hn::Load(kD, work.corrected_x.data() + i), begun_x), inverse));
-    vy = hn::Add(vy, hn::Mul(hn::Sub(hn::Load(kD, work.corrected_y.data() + i), begun_y), inverse));
-    shorten(vx, vy, hn::Load(kD, work.maximum_speed.data() + i));
-    const V moved_x = hn::Add(hn::Load(kD, work.moved_x.data() + i), hn::Mul(part, vx));
-    const V moved_y = hn::Add(hn::Load(kD, work.moved_y.data() + i), hn::Mul(part, vy));
-    hn::Store(moved_x, kD, work.moved_x.data() + i), hn::Store(moved_y, kD, work.moved_y.data() + i);
-    const V new_x = hn::Add(hn::Load(kD, work.base_x.data() + i), moved_x);
-    const V new_y = hn::Add(hn::Load(kD, work.base_y.data() + i), moved_y);
-    hn::Store(vx, kD, work.vx.data() + i), hn::Store(vy, kD, work.vy.data() + i);
-    hn::Store(new_x, kD, work.next_x.data() + i), hn::Store(new_y, kD, work.next_y.data() + i);
-    const V bx = hn::Add(hn::Mul(keep, vx), hn::Mul(blend, wish_x));
-    const V by = hn::Add(hn::Mul(keep, vy), hn::Mul(blend, wish_y));
-    hn::Store(hn::Add(new_x, hn::Mul(part, bx)), kD, work.predicted_x.data() + i);
-    hn::Store(hn::Add(new_y, hn::Mul(part, by)), kD, work.predicted_y.data() + i);
-  }
-}
-
-/// (r_i + r_j), not grown.
-HWY_INLINE V both_radii(const Work& work, V ri, VI other) {
-  if (work.alike()) return set(2 * work.common_radius);
-  return hn::Add(ri, hn::GatherIndex(kD, work.radius.data(), other));
+    const Pair begun = load(work.at, i) + scaled(part, wanted);
+    Pair v = wanted + scaled(set(k.inverse_part), load(work.corrected, i) - begun);
+    v = shortened(v, hn::Load(kD, work.maximum_speed.data() + i));
+    const Pair moved = load(work.moved, i) + scaled(part, v);
+    const Pair to = load(work.base, i) + moved;
+    store(v, work.v, i), store(moved, work.moved, i), store(to, work.next, i);
+    store(to + scaled(part, blended(k, v, wish)), work.corrected, i);
+  });
 }
 
 void heed(Work& work, const Constants& k, std::size_t chunk) {
-  for_each_vector(work, work.chunks[chunk].far, chunk,
-                  [&](std::size_t i, VI self, const std::int32_t* items, std::uint32_t rows) {
-                    const V xi = hn::Load(kD, work.x.data() + i), yi = hn::Load(kD, work.y.data() + i);
-                    const V wx = hn::Load(kD, work.wish_x.data() + i), wy = hn::Load(kD, work.wish_y.data() + i);
-                    const V ri = work.alike() ? xi : hn::Load(kD, work.radius.data() + i);
-                    const V speed = hn::Sqrt(hn::Add(hn::Mul(wx, wx), hn::Mul(wy, wy)));
-                    const V inverse = hn::Div(set(1), hn::Max(speed, set(1e-12f)));
-                    const V ex = hn::Mul(wx, inverse), ey = hn::Mul(wy, inverse);
-                    V allowed = speed;
-                    for (std::uint32_t r = 0; r < rows; ++r) {
-                      const VI other = hn::Load(kDI, items + r * kLanes);
-                      const V dx = hn::Sub(hn::GatherIndex(kD, work.x.data(), other), xi);
-                      const V dy = hn::Sub(hn::GatherIndex(kD, work.y.data(), other), yi);
-                      const V along = hn::Add(hn::Mul(dx, ex), hn::Mul(dy, ey));
-                      const V across = hn::Sub(hn::Mul(dy, ex), hn::Mul(dx, ey));
-                      const V reach = both_radii(work, ri, other);
-                      const V under = hn::Sub(hn::Mul(reach, reach), hn::Mul(across, across));
-                      const M ahead = hn::AndNot(hn::RebindMask(kD, hn::Eq(self, other)),
-                                                 hn::And(hn::Gt(along, hn::Zero(kD)), hn::Gt(under, hn::Zero(kD))));
-                      const V gap = hn::Max(hn::Sub(along, hn::Sqrt(hn::Max(under, hn::Zero(kD)))), hn::Zero(kD));
-                      allowed = hn::IfThenElse(ahead, hn::Min(allowed, hn::Div(gap, set(k.headway))), allowed);
-                    }
-                    hn::Store(hn::Mul(ex, allowed), kD, work.wish_x.data() + i);
-                    hn::Store(hn::Mul(ey, allowed), kD, work.wish_y.data() + i);
-                  });
-}
-
-void cohere(const Work& work, const Constants& k, std::size_t chunk, float* out_vx, float* out_vy) {
-  for_each_vector(
-      work, work.chunks[chunk].far, chunk, [&](std::size_t i, VI self, const std::int32_t* items, std::uint32_t rows) {
-        const V xi = hn::Load(kD, work.x.data() + i), yi = hn::Load(kD, work.y.data() + i);
-        const V vx = hn::Load(kD, work.vx.data() + i), vy = hn::Load(kD, work.vy.data() + i);
-        const V radius = work.alike() ? set(work.common_radius) : hn::Load(kD, work.radius.data() + i);
-        const V range = hn::Mul(set(k.cohesion_range), radius);
-        const V range2 = hn::Mul(range, range);
-        V sx = hn::Zero(kD), sy = sx, weights = sx;
+  for_each_vector<Which::all>(
+      work, work.chunks[chunk].far, chunk, [&](std::size_t i, VI index, const std::int32_t* items, std::uint32_t rows) {
+        const Pair xi = load(work.at, i), wish = load(work.wish, i);
+        const Self self = self_at(work, index, i);
+        const V speed = hn::Sqrt(dot(wish, wish));
+        const Pair e = scaled(hn::Div(set(1), hn::Max(speed, set(1e-12f))), wish);
+        V allowed = speed;
         for (std::uint32_t r = 0; r < rows; ++r) {
           const VI other = hn::Load(kDI, items + r * kLanes);
-          const V dx = hn::Sub(hn::GatherIndex(kD, work.x.data(), other), xi);
-          const V dy = hn::Sub(hn::GatherIndex(kD, work.y.data(), other), yi);
-          const V rest = hn::Max(hn::Sub(range2, hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy))), hn::Zero(kD));
-          const V weight =
-              hn::IfThenZeroElse(hn::RebindMask(kD, hn::Eq(self, other)), hn::Mul(hn::Mul(rest, rest), rest));
-          sx = hn::Add(sx, hn::Mul(weight, hn::Sub(hn::GatherIndex(kD, work.vx.data(), other), vx)));
-          sy = hn::Add(sy, hn::Mul(weight, hn::Sub(hn::GatherIndex(kD, work.vy.data(), other), vy)));
-          weights = hn::Add(weights, weight);
+          const Pair d = gather(work.at, other) - xi;
+          const V along = dot(d, e);
+          const V across = hn::Sub(hn::Mul(d.y, e.x), hn::Mul(d.x, e.y));
+          const V reach = reach_of(work, self, other, 1);
+          const V under = hn::Sub(hn::Mul(reach, reach), hn::Mul(across, across));
+          const M ahead = hn::AndNot(hn::RebindMask(kD, hn::Eq(index, other)),
+                                     hn::And(hn::Gt(along, hn::Zero(kD)), hn::Gt(under, hn::Zero(kD))));
+          const V gap = hn::Max(hn::Sub(along, hn::Sqrt(hn::Max(under, hn::Zero(kD)))), hn::Zero(kD));
+          allowed = hn::IfThenElse(ahead, hn::Min(allowed, hn::Div(gap, set(k.headway))), allowed);
         }
-        const V factor = hn::Div(set(k.cohesion), hn::Max(weights, set(1e-12f)));
-        hn::Store(hn::Add(vx, hn::Mul(sx, factor)), kD, out_vx + i);
-        hn::Store(hn::Add(vy, hn::Mul(sy, factor)), kD, out_vy + i);
+        store(scaled(allowed, e), work.wish, i);
       });
 }
 
-void foresee(const Work& work, const Constants& k, std::size_t chunk, float* out_vx, float* out_vy) {
-  const V keep = set(1 - k.blend), blend = set(k.blend), dt = set(k.dt);
-  const auto preferred = [&](V v, V wish) { return hn::Add(hn::Mul(keep, v), hn::Mul(blend, wish)); };
-  for_each_vector(
-      work, work.chunks[chunk].far, chunk, [&](std::size_t i, VI, const std::int32_t* items, std::uint32_t rows) {
-        const V xi = hn::Load(kD, work.x.data() + i), yi = hn::Load(kD, work.y.data() + i);
-        const V vxi = hn::Load(kD, work.vx.data() + i), vyi = hn::Load(kD, work.vy.data() + i);
-        const V bxi = preferred(vxi, hn::Load(kD, work.wish_x.data() + i));
-        const V byi = preferred(vyi, hn::Load(kD, work.wish_y.data() + i));
-        const V ri = work.alike() ? xi : hn::Load(kD, work.radius.data() + i);
-        const V mi = work.alike() ? xi : hn::Load(kD, work.mass.data() + i);
-        V sx = hn::Zero(kD), sy = sx, pairs = sx;
+void cohere(Work& work, const Constants& k, std::size_t chunk) {
+  for_each_vector<Which::all>(
+      work, work.chunks[chunk].far, chunk, [&](std::size_t i, VI index, const std::int32_t* items, std::uint32_t rows) {
+        const Pair xi = load(work.at, i), v = load(work.v, i);
+        const V range = hn::Mul(set(k.cohesion_range), self_at(work, index, i).radius);
+        const V range2 = hn::Mul(range, range);
+        Pair sum = zero();
+        V weights = hn::Zero(kD);
         for (std::uint32_t r = 0; r < rows; ++r) {
           const VI other = hn::Load(kDI, items + r * kLanes);
-          const V dx = hn::Sub(xi, hn::GatherIndex(kD, work.x.data(), other));
-          const V dy = hn::Sub(yi, hn::GatherIndex(kD, work.y.data(), other));
-          const V ux = hn::Sub(bxi, preferred(hn::GatherIndex(kD, work.vx.data(), other),
-                                              hn::GatherIndex(kD, work.wish_x.data(), other)));
-          const V uy = hn::Sub(byi, preferred(hn::GatherIndex(kD, work.vy.data(), other),
-                                              hn::GatherIndex(kD, work.wish_y.data(), other)));
-          V reach = set(2 * work.common_radius * k.growth), share = set(0.5f);
-          if (!work.alike())
-            reach = hn::Mul(hn::Add(ri, hn::GatherIndex(kD, work.radius.data(), other)), set(k.growth));
+          const Pair d = gather(work.at, other) - xi;
+          const V rest = hn::Max(hn::Sub(range2, dot(d, d)), hn::Zero(kD));
+          const V weight =
+              hn::IfThenZeroElse(hn::RebindMask(kD, hn::Eq(index, other)), hn::Mul(hn::Mul(rest, rest), rest));
+          sum = sum + scaled(weight, gather(work.v, other) - v);
+          weights = hn::Add(weights, weight);
+        }
+        store(v + scaled(hn::Div(set(k.cohesion), hn::Max(weights, set(1e-12f))), sum), work.next, i);
+      });
+}
+
+void intend(Work& work, const Constants& k, std::size_t chunk) {
+  const std::size_t begin = chunk * kChunk, end = begin + work.blocks_of(chunk) * kLanes;
+  for (std::size_t i = begin; i < end; i += hn::Lanes(kD))
+    store(blended(k, load(work.v, i), load(work.wish, i)), work.corrected, i);
+}
+
+void foresee(Work& work, const Constants& k, std::size_t chunk) {
+  const V dt = set(k.dt), inverse_dt = set(1 / k.dt);
+  for_each_vector<Which::all>(
+      work, work.chunks[chunk].far, chunk, [&](std::size_t i, VI index, const std::int32_t* items, std::uint32_t rows) {
+        const Pair xi = load(work.at, i), intended = load(work.corrected, i);
+        const Self self = self_at(work, index, i);
+        Pair sum = zero();
+        V pairs = hn::Zero(kD);
+        for (std::uint32_t r = 0; r < rows; ++r) {
+          const VI other = hn::Load(kDI, items + r * kLanes);
+          const Pair d = xi - gather(work.at, other), u = intended - gather(work.corrected, other);
+          const V reach = reach_of(work, self, other, k.growth);
           // tau = (b - sqrt(b b - a c)) / a [thesis eq. 4.4 to 4.7, with relative displacements].
-          const V a = hn::Add(hn::Mul(ux, ux), hn::Mul(uy, uy));
-          const V b = hn::Neg(hn::Add(hn::Mul(dx, ux), hn::Mul(dy, uy)));
-          const V c = hn::Sub(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(reach, reach));
+          const V a = dot(u, u), b = hn::Neg(dot(d, u)), c = hn::Sub(dot(d, d), hn::Mul(reach, reach));
           const V under = hn::Sub(hn::Mul(b, b), hn::Mul(a, c));
           M valid = hn::And(hn::And(hn::Gt(c, hn::Zero(kD)), hn::Gt(b, hn::Zero(kD))), hn::Gt(under, hn::Zero(kD)));
           valid = hn::And(valid, hn::Gt(a, set(1e-6f)));
@@ -277,39 +374,29 @@ void foresee(const Work& work, const Constants& k, std::size_t chunk, float* out
           const V tau = hn::Div(hn::Sub(b, hn::Sqrt(hn::Max(under, hn::Zero(kD)))), hn::Max(a, set(1e-6f)));
           valid = hn::And(valid, hn::Lt(tau, set(k.far_horizon)));
           if (hn::AllFalse(kD, valid)) continue;
-          const V delay = hn::Floor(hn::Div(hn::IfThenElseZero(valid, tau), dt));
+          const V delay = hn::Floor(hn::Mul(hn::IfThenElseZero(valid, tau), inverse_dt));
           const V stiffness = hn::GatherIndex(kD, k.stiffness_of_delay, hn::ConvertTo(kDI, delay));
-          const V then = hn::Mul(hn::Add(delay, set(1)), dt);
-          const V fx = hn::Add(dx, hn::Mul(then, ux)), fy = hn::Add(dy, hn::Mul(then, uy));
-          const V distance = hn::Sqrt(hn::Add(hn::Mul(fx, fx), hn::Mul(fy, fy)));
-          const V inverse = hn::Div(set(1), hn::Max(distance, set(1e-6f)));
-          const V nx = hn::Mul(fx, inverse), ny = hn::Mul(fy, inverse);
-          if (!work.alike()) {
-            const V mj = hn::GatherIndex(kD, work.mass.data(), other);
-            share = hn::Div(mj, hn::Add(mi, mj));
-          }
+          const Pair then = d + scaled(hn::Mul(hn::Add(delay, set(1)), dt), u);
+          const V square = hn::Max(dot(then, then), set(1e-12f)), inverse = inverse_root(square);
+          const Pair n = scaled(inverse, then);
           // What slides past; of a head-on pair a nudge, so that each passes on its right [eq. 4.11 to 4.13].
-          const V un = hn::Add(hn::Mul(ux, nx), hn::Mul(uy, ny));
-          V tx = hn::Sub(ux, hn::Mul(un, nx)), ty = hn::Sub(uy, hn::Mul(un, ny));
-          const M head_on = hn::Lt(hn::Add(hn::Mul(tx, tx), hn::Mul(ty, ty)), hn::Mul(set(1e-4f), a));
+          const Pair t = u - scaled(dot(u, n), n);
+          const M head_on = hn::Lt(dot(t, t), hn::Mul(set(1e-4f), a));
           const V nudge = hn::Mul(set(0.01f), hn::Sqrt(a));
-          tx = hn::Mul(dt, hn::IfThenElse(head_on, hn::Neg(hn::Mul(ny, nudge)), tx));
-          ty = hn::Mul(dt, hn::IfThenElse(head_on, hn::Mul(nx, nudge), ty));
-          V px = tx, py = ty;
+          const Pair past = {hn::Neg(hn::Mul(n.y, nudge)), hn::Mul(n.x, nudge)};
+          Pair push;
           if (k.far == 1) {  // the future contact itself, as a displacement of this step [4.2.4]
-            const V depth = hn::Max(hn::Sub(reach, distance), hn::Zero(kD));
-            px = hn::Add(hn::Mul(depth, nx), hn::IfThenElseZero(head_on, tx));
-            py = hn::Add(hn::Mul(depth, ny), hn::IfThenElseZero(head_on, ty));
+            const V depth = hn::Max(hn::Sub(reach, hn::Mul(square, inverse)), hn::Zero(kD));
+            push = scaled(depth, n) + kept(head_on, scaled(dt, past));
+          } else {
+            push = scaled(dt, chosen(head_on, past, t));
           }
-          const V weight = hn::IfThenElseZero(valid, hn::Mul(share, stiffness));
-          sx = hn::Add(sx, hn::Mul(weight, px)), sy = hn::Add(sy, hn::Mul(weight, py));
+          const V weight = hn::IfThenElseZero(valid, hn::Mul(share_of(work, self, other), stiffness));
+          sum = sum + scaled(weight, push);
           pairs = hn::Add(pairs, hn::IfThenElseZero(valid, set(1)));
         }
-        const V factor = hn::Div(set(k.over_relaxation / k.dt), hn::Max(pairs, set(1)));
-        sx = hn::Mul(sx, factor), sy = hn::Mul(sy, factor);
-        shorten(sx, sy, set(k.velocity_change));
-        hn::Store(hn::Add(vxi, sx), kD, out_vx + i);
-        hn::Store(hn::Add(vyi, sy), kD, out_vy + i);
+        const V factor = hn::Div(set(kFarRelaxation / k.dt), hn::Max(pairs, set(1)));
+        store(load(work.v, i) + shortened(scaled(factor, sum), set(k.velocity_change)), work.v, i);
       });
 }
 
@@ -319,29 +406,29 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace inhabit::crowd::pbd_model {
 
+HWY_EXPORT(heed);
+HWY_EXPORT(cohere);
+HWY_EXPORT(intend);
+HWY_EXPORT(foresee);
+HWY_EXPORT(narrow);
+HWY_EXPORT(glide);
 HWY_EXPORT(stabilise);
+HWY_EXPORT(settle);
 HWY_EXPORT(predict);
 HWY_EXPORT(project);
 HWY_EXPORT(finish);
-HWY_EXPORT(foresee);
-HWY_EXPORT(heed);
-HWY_EXPORT(cohere);
 
-void stabilise(const Work& work, const Constants& k, std::size_t chunk, float* x, float* y) {
-  HWY_DYNAMIC_DISPATCH(stabilise)(work, k, chunk, x, y);
-}
-void predict(Work& work, const Constants& k, std::size_t chunk) { HWY_DYNAMIC_DISPATCH(predict)(work, k, chunk); }
-void project(const Work& work, const Constants& k, std::size_t chunk, float* x, float* y) {
-  HWY_DYNAMIC_DISPATCH(project)(work, k, chunk, x, y);
-}
-void finish(Work& work, const Constants& k, std::size_t chunk) { HWY_DYNAMIC_DISPATCH(finish)(work, k, chunk); }
 void heed(Work& work, const Constants& k, std::size_t chunk) { HWY_DYNAMIC_DISPATCH(heed)(work, k, chunk); }
-void cohere(const Work& work, const Constants& k, std::size_t chunk, float* vx, float* vy) {
-  HWY_DYNAMIC_DISPATCH(cohere)(work, k, chunk, vx, vy);
-}
-void foresee(const Work& work, const Constants& k, std::size_t chunk, float* vx, float* vy) {
-  HWY_DYNAMIC_DISPATCH(foresee)(work, k, chunk, vx, vy);
-}
+void cohere(Work& work, const Constants& k, std::size_t chunk) { HWY_DYNAMIC_DISPATCH(cohere)(work, k, chunk); }
+void intend(Work& work, const Constants& k, std::size_t chunk) { HWY_DYNAMIC_DISPATCH(intend)(work, k, chunk); }
+void foresee(Work& work, const Constants& k, std::size_t chunk) { HWY_DYNAMIC_DISPATCH(foresee)(work, k, chunk); }
+void narrow(Work& work, const Constants& k, std::size_t chunk) { HWY_DYNAMIC_DISPATCH(narrow)(work, k, chunk); }
+void glide(Work& work, const Constants& k, std::size_t chunk) { HWY_DYNAMIC_DISPATCH(glide)(work, k, chunk); }
+void stabilise(Work& work, const Constants& k, std::size_t chunk) { HWY_DYNAMIC_DISPATCH(stabilise)(work, k, chunk); }
+void settle(Work& work, const Constants& k, std::size_t chunk) { HWY_DYNAMIC_DISPATCH(settle)(work, k, chunk); }
+void predict(Work& work, const Constants& k, std::size_t chunk) { HWY_DYNAMIC_DISPATCH(predict)(work, k, chunk); }
+void project(Work& work, const Constants& k, std::size_t chunk) { HWY_DYNAMIC_DISPATCH(project)(work, k, chunk); }
+void finish(Work& work, const Constants& k, std::size_t chunk) { HWY_DYNAMIC_DISPATCH(finish)(work, k, chunk); }
 
 }  // namespace inhabit::crowd::pbd_model
 #endif  // HWY_ONCE

@@ -6,21 +6,39 @@
 /// fused operations: each gives the same bits as the readable version of crowd/models/pbd_reference.h.
 namespace inhabit::crowd::pbd_model {
 
+/// Closer than its root is the same place, square metres.
+constexpr float kCoincident = 1e-12f;
+/// The thesis's factor on averaged corrections, for collisions to come.
+constexpr float kFarRelaxation = 1.2f;
+
 /// Nobody wishes to walk faster than what closes the gap ahead within the headway: the free length of the way that the
 /// agent's disc would sweep. Shortens `wish`. Ours; off in the thesis's preset.
 void heed(Work& work, const Constants& constants, std::size_t chunk);
-/// Velocities, moved a share of the way towards the neighbours' mean, weighted by the poly6 kernel. [thesis eq. 4.3
-/// with the sign of XSPH, normalised so that a crowd cannot overshoot]
-void cohere(const Work& work, const Constants& constants, std::size_t chunk, float* out_vx, float* out_vy);
-/// Velocities, changed for collisions to come. [thesis 4.2.4, 4.2.5]
-void foresee(const Work& work, const Constants& constants, std::size_t chunk, float* out_vx, float* out_vy);
-/// Pushes apart what overlaps at the start of a step: next = x + corrections. [thesis algorithm 2, line 9 to 15]
-void stabilise(const Work& work, const Constants& constants, std::size_t chunk, float* out_x, float* out_y);
-/// predicted = x + part * ((1 - blend) v + blend * wish). [eq. 4.1]
+/// next = velocities, moved a share of the way towards the neighbours' mean, weighted by the poly6 kernel. [thesis eq.
+/// 4.3 with the sign of XSPH, normalised so that a crowd cannot overshoot]
+void cohere(Work& work, const Constants& constants, std::size_t chunk);
+/// corrected = the velocities that people would take up if they were alone. [eq. 4.1]
+void intend(Work& work, const Constants& constants, std::size_t chunk);
+/// Velocities, changed for collisions to come of what `intend` has left. [thesis 4.2.4, 4.2.5]
+void foresee(Work& work, const Constants& constants, std::size_t chunk);
+
+/// Finds who may touch somebody before the step is over: fills `near` and `busy`. What follows does nothing else for
+/// the others but let them glide; the result is the same to rounding.
+void narrow(Work& work, const Constants& constants, std::size_t chunk);
+/// The whole step of everybody who is not busy: no contacts, so v only turns into the wish.
+void glide(Work& work, const Constants& constants, std::size_t chunk);
+
+// Of the busy alone:
+/// Pushes apart what overlaps at the start of a step: corrected = at + corrections. [thesis algorithm 2, line 9 to 15]
+void stabilise(Work& work, const Constants& constants, std::size_t chunk);
+/// at = corrected; the chunk's `thrown`: how far that has moved somebody.
+void settle(Work& work, const Constants& constants, std::size_t chunk);
+/// predicted = at + part * ((1 - blend) v + blend * wish). [eq. 4.1]
 void predict(Work& work, const Constants& constants, std::size_t chunk);
 /// One Jacobi iteration of contacts with friction: corrected = predicted + averaged corrections. [eq. 4.2]
-void project(const Work& work, const Constants& constants, std::size_t chunk, float* out_x, float* out_y);
-/// Velocities from corrected positions, clamped; next = x + part * v; predicted for the sub-step after this one.
+void project(Work& work, const Constants& constants, std::size_t chunk);
+/// Velocities from corrected positions, clamped; next = at + part * v; then corrected = what is predicted for the
+/// sub-step after this one: what others still read is left alone.
 void finish(Work& work, const Constants& constants, std::size_t chunk);
 
 }  // namespace inhabit::crowd::pbd_model

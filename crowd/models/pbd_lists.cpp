@@ -51,14 +51,25 @@ using DI = hn::Rebind<std::int32_t, D>;
 constexpr D kD;
 constexpr DI kDI;
 
+HWY_INLINE void load_pairs(const FloatArray& pairs, std::size_t i, hn::Vec<D>& x, hn::Vec<D>& y) {
+  const auto low = hn::LoadU(kD, pairs.data() + 2 * i), high = hn::LoadU(kD, pairs.data() + 2 * i + hn::Lanes(kD));
+#if HWY_TARGET == HWY_SCALAR
+  x = low, y = high;
+#else
+  x = hn::ConcatEven(kD, high, low), y = hn::ConcatOdd(kD, high, low);
+#endif
+}
+
 /// Adds those of the run [begin, end) that are nearer than `reach`, plus their own grown radius when `growth` > 0.
 HWY_INLINE void collect(const Work& work, std::uint32_t i, std::uint32_t begin, std::uint32_t end, float reach,
                         float growth, std::size_t limit, Candidates& out) {
-  const auto xi = hn::Set(kD, work.x[i]), yi = hn::Set(kD, work.y[i]);
+  const auto xi = hn::Set(kD, work.at[2 * i]), yi = hn::Set(kD, work.at[2 * i + 1]);
+  hn::Vec<D> x, y;
   const auto own = hn::Set(kDI, static_cast<std::int32_t>(i)), last = hn::Set(kDI, static_cast<std::int32_t>(end));
   for (std::uint32_t j = begin; j < end; j += static_cast<std::uint32_t>(hn::Lanes(kD))) {
     const auto index = hn::Add(hn::Set(kDI, static_cast<std::int32_t>(j)), hn::Iota(kDI, 0));
-    const auto dx = hn::Sub(hn::LoadU(kD, work.x.data() + j), xi), dy = hn::Sub(hn::LoadU(kD, work.y.data() + j), yi);
+    load_pairs(work.at, j, x, y);
+    const auto dx = hn::Sub(x, xi), dy = hn::Sub(y, yi);
     const auto d2 = hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy));
     auto radius = hn::Set(kD, reach);
     if (growth > 0) radius = hn::Add(radius, hn::Mul(hn::LoadU(kD, work.radius.data() + j), hn::Set(kD, growth)));
@@ -70,31 +81,36 @@ HWY_INLINE void collect(const Work& work, std::uint32_t i, std::uint32_t begin, 
   }
 }
 
-/// keep_nearest for few: everyone's rank is counted.
-HWY_INLINE void keep_by_rank(Candidates& c, std::size_t limit) {
+/// keep_nearest for few: bisects for a distance that just so many are nearer than.
+HWY_INLINE void keep_within(Candidates& c, std::size_t limit) {
   if (c.count <= limit) return;
-  if (c.count > 64) return keep_nearest(c, limit);
-  std::array<bool, 64> keep;
   const std::size_t lanes = hn::Lanes(kD);
   for (std::size_t k = c.count; k < c.count + lanes; ++k) c.d2[k] = 3e38f;
-  for (std::size_t k = 0; k < c.count; ++k) {
-    const auto d2 = hn::Set(kD, c.d2[k]);
-    std::size_t rank = 0;
-    for (std::size_t l = 0; l < c.count; l += lanes) {
-      const auto others = hn::LoadU(kD, c.d2.data() + l);
-      const auto earlier = hn::FirstN(kD, k > l ? k - l : 0);
-      rank += hn::CountTrue(kD, hn::Or(hn::Lt(others, d2), hn::And(hn::Eq(others, d2), earlier)));
+  float low = 0, high = *std::max_element(c.d2.begin(), c.d2.begin() + static_cast<std::ptrdiff_t>(c.count));
+  // People are about evenly spread, so that numbers grow like squares of distances.
+  float border = high * static_cast<float>(limit) / static_cast<float>(c.count);
+  for (int round = 0; round < 24; ++round) {
+    std::size_t nearer = 0;
+    for (std::size_t k = 0; k < c.count; k += lanes)
+      nearer += hn::CountTrue(kD, hn::Lt(hn::LoadU(kD, c.d2.data() + k), hn::Set(kD, border)));
+    if (nearer == limit) {
+      std::size_t kept = 0;
+      for (std::size_t k = 0; k < c.count; ++k) {
+        const bool keep = c.d2[k] < border;
+        c.d2[kept] = c.d2[k], c.index[kept] = c.index[k];
+        kept += keep;
+      }
+      c.count = kept;
+      return;
     }
-    keep[k] = rank < limit;
+    (nearer < limit ? low : high) = border;
+    border = low + (high - low) / 2;
   }
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < c.count; ++k)
-    if (keep[k]) c.d2[kept] = c.d2[k], c.index[kept++] = c.index[k];
-  c.count = kept;
+  keep_nearest(c, limit);  // equally far ones
 }
 
 void far_candidates(const Work& work, const Grid& grid, const Reach& reach, std::uint32_t i, Candidates& out) {
-  const float x = work.x[i], y = work.y[i];
+  const float x = work.at[2 * i], y = work.at[2 * i + 1];
   // In a crowd the nearest few are much nearer than the range: a circle that should hold half as many again.
   std::uint32_t around = 0;
   grid.for_each_run(x, y, grid.cell(), [&](std::uint32_t begin, std::uint32_t end) { around += end - begin; });
@@ -110,7 +126,7 @@ void far_candidates(const Work& work, const Grid& grid, const Reach& reach, std:
     if (out.count >= reach.far_count || range >= reach.far_range) break;
     range = std::min(2 * range, reach.far_range);
   }
-  keep_by_rank(out, reach.far_count);
+  keep_within(out, reach.far_count);
 }
 
 /// The lists of one block, one after the other, become rows.
@@ -126,6 +142,17 @@ void append_rows(const std::array<Candidates, kLanes>& lists, std::size_t first,
   rows.first[b + 1] = rows.first[b] + static_cast<std::uint32_t>(most);
 }
 
+/// The narrowest gap between the grown discs of agent i and of those; the skin when there are none.
+float gap_of(const Work& work, const Candidates& list, std::size_t i, const Reach& reach) {
+  float gap = reach.skin;
+  for (std::size_t k = 0; k < list.count; ++k) {
+    const float both =
+        work.alike() ? 2 * work.common_radius : work.radius[i] + work.radius[static_cast<std::size_t>(list.index[k])];
+    gap = std::min(gap, std::sqrt(list.d2[k]) - both * reach.growth);
+  }
+  return gap;
+}
+
 void find_neighbours(Work& work, const Grid& grid, const Reach& reach, std::size_t chunk) {
   Chunk& out = work.chunks[chunk];
   out.contacts.items.clear(), out.far.items.clear();
@@ -133,6 +160,7 @@ void find_neighbours(Work& work, const Grid& grid, const Reach& reach, std::size
   std::array<Candidates, kLanes> contacts, far;
   for (std::size_t b = 0; b < work.blocks_of(chunk); ++b) {
     const std::size_t first = chunk * kChunk + b * kLanes;
+    out.gap[b] = reach.skin;
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       contacts[lane].count = far[lane].count = 0;
       const auto i = static_cast<std::uint32_t>(first + lane);
@@ -140,13 +168,14 @@ void find_neighbours(Work& work, const Grid& grid, const Reach& reach, std::size
       const float largest = work.common_radius * reach.growth;
       const float own = work.alike() ? largest : work.radius[i] * reach.growth;
       const float all = own + largest + reach.skin;
-      grid.for_each_run(work.x[i], work.y[i], all, [&](std::uint32_t begin, std::uint32_t end) {
+      grid.for_each_run(work.at[2 * i], work.at[2 * i + 1], all, [&](std::uint32_t begin, std::uint32_t end) {
         if (work.alike())
           collect(work, i, begin, end, all, 0, kMostContacts, contacts[lane]);
         else
           collect(work, i, begin, end, own + reach.skin, reach.growth, kMostContacts, contacts[lane]);
       });
       keep_nearest(contacts[lane], kMostContacts);
+      out.gap[b] = std::min(out.gap[b], gap_of(work, contacts[lane], i, reach));
       if (reach.far) far_candidates(work, grid, reach, i, far[lane]);
     }
     append_rows(contacts, first, out.contacts, b);
@@ -171,13 +200,14 @@ void find_walls(Work& work, const Walls& walls, const Reach& reach, std::size_t 
   if (walls.empty()) return;
   const std::size_t begin = chunk * kChunk, end = std::min(begin + kChunk, work.count);
   for (std::size_t i = begin; i < end; ++i) {
-    const float x = work.x[i], y = work.y[i];
+    const float x = work.at[2 * i], y = work.at[2 * i + 1];
     const float near = (work.alike() ? work.common_radius : work.radius[i]) + reach.skin;
     walls.for_each_near(x, y, [&](const WallSegment& s, std::uint32_t k) {
       if ((s.bx - s.ax) * (y - s.ay) - (s.by - s.ay) * (x - s.ax) < 0) return;  // seen from behind
       const WallPoint p = nearest_point(s, x, y);
-      if ((x - p.x) * (x - p.x) + (y - p.y) * (y - p.y) < near * near)
-        out.push_back({static_cast<std::uint32_t>(i), k});
+      if ((x - p.x) * (x - p.x) + (y - p.y) * (y - p.y) >= near * near) return;
+      out.push_back({static_cast<std::uint32_t>(i), k});
+      work.chunks[chunk].gap[(i - begin) / kLanes] = -1;
     });
   }
 }

@@ -1,8 +1,11 @@
 #include "crowd/models/pbd_reference.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <optional>
+
+#include "crowd/models/pbd_kernels.h"
 
 namespace inhabit::crowd::pbd_model::plainly {
 namespace {
@@ -17,11 +20,24 @@ float dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y; }
 float norm(Vec a) { return std::sqrt(dot(a, a)); }
 
 Vec shortened(Vec a, float longest) {
-  const float length = norm(a);
-  return (length > longest ? longest / std::max(length, 1e-12f) : 1.0f) * a;
+  const float square = dot(a, a);
+  return square > longest * longest ? (longest / std::sqrt(square)) * a : a;
 }
 
-Vec at(const FloatArray& x, const FloatArray& y, std::size_t i) { return {x[i], y[i]}; }
+Vec at(const FloatArray& pairs, std::size_t i) { return {pairs[2 * i], pairs[2 * i + 1]}; }
+void put(Vec a, FloatArray& pairs, std::size_t i) { pairs[2 * i] = a.x, pairs[2 * i + 1] = a.y; }
+
+/// 1 / sqrt(a), as the fast loops find it.
+float inverse_root(float a) {
+  float y = std::bit_cast<float>(0x5f375a86 - (std::bit_cast<std::int32_t>(a) >> 1));
+  for (int round = 0; round < 2; ++round) y = y * (1.5f - 0.5f * a * (y * y));
+  return y;
+}
+
+float relaxed(const Constants& k, float touches) {
+  const float most = std::max(touches, 1.0f);
+  return std::min(k.over_relaxation, most) / most;
+}
 
 /// (r_i + r_j), grown.
 float reach_of(const Work& work, std::size_t i, std::size_t j, float growth) {
@@ -37,14 +53,14 @@ struct Contact {
   Vec n;
   float depth = 0;
 };
-Contact contact(const Work& work, std::size_t i, std::size_t j, Vec xi, Vec xj, float growth) {
+Contact contact(const Work& work, std::size_t i, std::size_t j, const FloatArray& places, float growth) {
   const float reach = reach_of(work, i, j, growth);
-  const Vec d = xi - xj;
+  const Vec d = at(places, i) - at(places, j);
   const float d2 = dot(d, d);
   if (i == j || !(d2 < reach * reach)) return {};
-  const float distance = std::sqrt(d2);
-  if (d2 == 0) return {{i < j ? -1.0f : 1.0f, 0}, reach};
-  return {(1 / distance) * d, reach - distance};
+  if (d2 < kCoincident) return {{i < j ? -1.0f : 1.0f, 0}, reach - d2};
+  const float inverse = inverse_root(d2);
+  return {inverse * d, reach - d2 * inverse};
 }
 
 /// Calls f(i, its neighbours) for every agent of a chunk.
@@ -62,31 +78,39 @@ void for_each_agent(const Work& work, const NeighbourRows& rows, std::size_t chu
 }
 
 Vec blended(const Work& work, const Constants& k, std::size_t i) {
-  return (1 - k.blend) * at(work.vx, work.vy, i) + k.blend * at(work.wish_x, work.wish_y, i);
+  return (1 - k.blend) * at(work.v, i) + k.blend * at(work.wish, i);
+}
+
+/// Calls f(i) for every agent of a chunk's blocks that are busy, or of those that are not.
+template <class F>
+void for_each_of(const Work& work, std::size_t chunk, bool busy, F&& f) {
+  for (std::size_t b = 0; b < work.blocks_of(chunk); ++b)
+    for (std::size_t lane = 0; lane < kLanes; ++lane)
+      if ((work.chunks[chunk].busy[b] != 0) == busy) f(chunk * kChunk + b * kLanes + lane);
 }
 
 /// What a collision to come asks of agent i, as a displacement; nothing when there is none.
 std::optional<Vec> response_to_come(const Work& work, const Constants& k, std::size_t i, std::size_t j) {
-  const Vec d = at(work.x, work.y, i) - at(work.x, work.y, j);
-  const Vec u = blended(work, k, i) - blended(work, k, j);
+  const Vec d = at(work.at, i) - at(work.at, j);
+  const Vec u = at(work.corrected, i) - at(work.corrected, j);
   const float reach = reach_of(work, i, j, k.growth);
   const float a = dot(u, u), b = -dot(d, u), c = dot(d, d) - reach * reach;
   const float under = b * b - a * c;
   if (!(c > 0 && b > 0 && under > 0 && a > 1e-6f)) return {};
   const float tau = (b - std::sqrt(under)) / a;
   if (!(tau < k.far_horizon)) return {};
-  const float delay = std::floor(tau / k.dt);
+  const float delay = std::floor(tau * (1 / k.dt));
   const float stiffness = k.stiffness_of_delay[static_cast<std::size_t>(delay)];
   const Vec then = d + ((delay + 1) * k.dt) * u;
-  const float distance = norm(then);
-  const Vec n = (1 / std::max(distance, 1e-6f)) * then;
+  const float square = std::max(dot(then, then), 1e-12f), inverse = inverse_root(square);
+  const Vec n = inverse * then;
   const float weight = share_of(work, i, j) * stiffness;
   Vec t = u - dot(u, n) * n;
   const bool head_on = dot(t, t) < 1e-4f * a;
   const float nudge = 0.01f * std::sqrt(a);
   if (head_on) t = {-(n.y * nudge), n.x * nudge};
   if (k.far == 1) {
-    const Vec contact = std::max(reach - distance, 0.0f) * n;
+    const Vec contact = std::max(reach - square * inverse, 0.0f) * n;
     return weight * (contact + k.dt * (head_on ? t : Vec{}));
   }
   return weight * (k.dt * t);
@@ -105,7 +129,7 @@ void find_neighbours(Work& work, const Reach& reach, std::size_t chunk) {
         const std::size_t i = chunk * kChunk + b * kLanes + lane;
         std::vector<std::pair<float, std::int32_t>> found;
         for (std::size_t j = 0; j < work.count && i < work.count; ++j) {
-          const Vec d = at(work.x, work.y, j) - at(work.x, work.y, i);
+          const Vec d = at(work.at, j) - at(work.at, i);
           if (j != i && dot(d, d) < near(i, j)) found.emplace_back(dot(d, d), static_cast<std::int32_t>(j));
         }
         std::ranges::sort(found);
@@ -120,6 +144,12 @@ void find_neighbours(Work& work, const Reach& reach, std::size_t chunk) {
                                                       : static_cast<std::int32_t>(chunk * kChunk + b * kLanes + lane));
       rows.first[b + 1] = rows.first[b] + static_cast<std::uint32_t>(most);
     };
+    out.gap[b] = reach.skin;
+    for (std::size_t i = chunk * kChunk + b * kLanes; i < std::min(chunk * kChunk + (b + 1) * kLanes, work.count); ++i)
+      for (std::size_t j = 0; j < work.count; ++j)
+        if (i != j)
+          out.gap[b] =
+              std::min(out.gap[b], norm(at(work.at, j) - at(work.at, i)) - reach_of(work, i, j, 1) * reach.growth);
     rows_of(out.contacts, kMostContacts, [&](std::size_t i, std::size_t j) {
       const float grown = work.alike() ? work.common_radius * reach.growth : work.radius[j] * reach.growth;
       const float own = work.alike() ? grown : work.radius[i] * reach.growth;
@@ -133,118 +163,153 @@ void find_neighbours(Work& work, const Reach& reach, std::size_t chunk) {
 
 void heed(Work& work, const Constants& k, std::size_t chunk) {
   for_each_agent(work, work.chunks[chunk].far, chunk, [&](std::size_t i, const std::vector<std::size_t>& neighbours) {
-    const Vec wish = at(work.wish_x, work.wish_y, i);
+    const Vec wish = at(work.wish, i);
     const float speed = norm(wish);
     const Vec e = (1 / std::max(speed, 1e-12f)) * wish;
     float allowed = speed;
     for (const std::size_t j : neighbours) {
-      const Vec d = at(work.x, work.y, j) - at(work.x, work.y, i);
+      const Vec d = at(work.at, j) - at(work.at, i);
       const float along = dot(d, e), across = d.y * e.x - d.x * e.y, reach = reach_of(work, i, j, 1);
       const float under = reach * reach - across * across;
       if (!(along > 0 && under > 0)) continue;
       allowed = std::min(allowed, std::max(along - std::sqrt(under), 0.0f) / k.headway);
     }
-    work.wish_x[i] = e.x * allowed, work.wish_y[i] = e.y * allowed;
+    put(allowed * e, work.wish, i);
   });
 }
 
-void cohere(const Work& work, const Constants& k, std::size_t chunk, float* out_vx, float* out_vy) {
+void cohere(Work& work, const Constants& k, std::size_t chunk) {
   for_each_agent(work, work.chunks[chunk].far, chunk, [&](std::size_t i, const std::vector<std::size_t>& neighbours) {
-    const Vec v = at(work.vx, work.vy, i);
+    const Vec v = at(work.v, i);
     const float radius = work.alike() ? work.common_radius : work.radius[i];
     const float range = k.cohesion_range * radius;
     Vec sum;
     float weights = 0;
     for (const std::size_t j : neighbours) {
-      const Vec d = at(work.x, work.y, j) - at(work.x, work.y, i);
+      const Vec d = at(work.at, j) - at(work.at, i);
       const float rest = std::max(range * range - dot(d, d), 0.0f);
       const float weight = j == i ? 0.0f : rest * rest * rest;
-      sum = sum + weight * (at(work.vx, work.vy, j) - v), weights = weights + weight;
+      sum = sum + weight * (at(work.v, j) - v), weights = weights + weight;
     }
-    const Vec to = v + (k.cohesion / std::max(weights, 1e-12f)) * sum;
-    out_vx[i] = to.x, out_vy[i] = to.y;
+    put(v + (k.cohesion / std::max(weights, 1e-12f)) * sum, work.next, i);
   });
 }
 
-void foresee(const Work& work, const Constants& k, std::size_t chunk, float* out_vx, float* out_vy) {
+void intend(Work& work, const Constants& k, std::size_t chunk) {
+  const std::size_t begin = chunk * kChunk;
+  for (std::size_t i = begin; i < begin + work.blocks_of(chunk) * kLanes; ++i)
+    put(blended(work, k, i), work.corrected, i);
+}
+
+void foresee(Work& work, const Constants& k, std::size_t chunk) {
   for_each_agent(work, work.chunks[chunk].far, chunk, [&](std::size_t i, const std::vector<std::size_t>& neighbours) {
     Vec sum;
     float pairs = 0;
     for (const std::size_t j : neighbours)
       if (const auto response = response_to_come(work, k, i, j)) sum = sum + *response, pairs += 1;
-    const Vec change = shortened((k.over_relaxation / k.dt / std::max(pairs, 1.0f)) * sum, k.velocity_change);
-    const Vec v = at(work.vx, work.vy, i) + change;
-    out_vx[i] = v.x, out_vy[i] = v.y;
+    const Vec change = shortened((kFarRelaxation / k.dt / std::max(pairs, 1.0f)) * sum, k.velocity_change);
+    put(at(work.v, i) + change, work.v, i);
   });
 }
 
-void stabilise(const Work& work, const Constants& k, std::size_t chunk, float* out_x, float* out_y) {
-  for_each_agent(work, work.chunks[chunk].contacts, chunk,
-                 [&](std::size_t i, const std::vector<std::size_t>& neighbours) {
-                   const Vec xi = at(work.x, work.y, i);
-                   Vec sum;
-                   float touches = 0;
-                   for (const std::size_t j : neighbours) {
-                     const Contact c = contact(work, i, j, xi, at(work.x, work.y, j), 1);
-                     if (c.depth <= 0) continue;
-                     sum = sum + (share_of(work, i, j) * c.depth) * c.n, touches += 1;
-                   }
-                   const Vec to = xi + (k.over_relaxation / std::max(touches, 1.0f)) * sum;
-                   out_x[i] = to.x, out_y[i] = to.y;
-                 });
+void narrow(Work& work, const Constants& k, std::size_t chunk) {
+  Chunk& c = work.chunks[chunk];
+  c.near = {};
+  c.busy_count = 0;
+  for (std::size_t b = 0; b < work.blocks_of(chunk); ++b) {
+    for (std::uint32_t r = c.contacts.first[b]; r < c.contacts.first[b + 1]; ++r) {
+      const auto row = c.contacts.items.begin() + r * kLanes;
+      bool near = false;
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const std::size_t i = chunk * kChunk + b * kLanes + lane, j = static_cast<std::size_t>(row[lane]);
+        const Vec d = at(work.at, i) - at(work.at, j);
+        const float reach = reach_of(work, i, j, k.growth) + 2 * k.stride;
+        near = near || (i != j && dot(d, d) < reach * reach);
+      }
+      if (near) c.near.items.insert(c.near.items.end(), row, row + kLanes);
+    }
+    c.near.first[b + 1] = static_cast<std::uint32_t>(c.near.items.size() / kLanes);
+    c.busy[b] = c.near.first[b + 1] > c.near.first[b] || c.gap[b] < 0;
+    c.busy_count += c.busy[b];
+  }
+}
+
+void glide(Work& work, const Constants& k, std::size_t chunk) {
+  for_each_of(work, chunk, false, [&](std::size_t i) {
+    Vec moved;
+    for (int part = 0; part < k.parts; ++part) {
+      const Vec v = shortened(blended(work, k, i), work.maximum_speed[i]);
+      put(v, work.v, i);
+      moved = moved + k.part * v;
+    }
+    const Vec to = at(work.at, i) + moved;
+    for (FloatArray* places : {&work.at, &work.next, &work.predicted, &work.corrected}) put(to, *places, i);
+  });
+}
+
+void stabilise(Work& work, const Constants& k, std::size_t chunk) {
+  for_each_agent(work, work.chunks[chunk].near, chunk, [&](std::size_t i, const std::vector<std::size_t>& neighbours) {
+    if (!work.chunks[chunk].busy[i % kChunk / kLanes]) return;
+    Vec sum;
+    float touches = 0;
+    for (const std::size_t j : neighbours) {
+      const Contact c = contact(work, i, j, work.at, 1);
+      if (c.depth <= 0) continue;
+      sum = sum + (share_of(work, i, j) * c.depth) * c.n, touches += 1;
+    }
+    put(at(work.at, i) + relaxed(k, touches) * sum, work.corrected, i);
+  });
+}
+
+void settle(Work& work, const Constants&, std::size_t chunk) {
+  float most = 0;
+  for_each_of(work, chunk, true, [&](std::size_t i) {
+    const Vec way = at(work.corrected, i) - at(work.at, i);
+    most = std::max(most, dot(way, way));
+    put(at(work.corrected, i), work.at, i);
+  });
+  work.chunks[chunk].thrown = std::sqrt(most);
 }
 
 void predict(Work& work, const Constants& k, std::size_t chunk) {
-  const std::size_t begin = chunk * kChunk;
-  for (std::size_t i = begin; i < begin + work.blocks_of(chunk) * kLanes; ++i) {
-    const Vec x = at(work.x, work.y, i);
-    work.base_x[i] = x.x, work.base_y[i] = x.y;
-    work.moved_x[i] = work.moved_y[i] = 0;
-    const Vec to = x + k.part * blended(work, k, i);
-    work.predicted_x[i] = to.x, work.predicted_y[i] = to.y;
-  }
+  for_each_of(work, chunk, true, [&](std::size_t i) {
+    put(at(work.at, i), work.base, i), put({}, work.moved, i);
+    put(at(work.at, i) + k.part * blended(work, k, i), work.predicted, i);
+  });
 }
 
-void project(const Work& work, const Constants& k, std::size_t chunk, float* out_x, float* out_y) {
-  const auto predicted = [&](std::size_t i) { return at(work.predicted_x, work.predicted_y, i); };
-  const auto moved = [&](std::size_t i) { return predicted(i) - at(work.x, work.y, i); };
-  for_each_agent(work, work.chunks[chunk].contacts, chunk,
-                 [&](std::size_t i, const std::vector<std::size_t>& neighbours) {
-                   Vec sum;
-                   float touches = 0;
-                   for (const std::size_t j : neighbours) {
-                     const Contact c = contact(work, i, j, predicted(i), predicted(j), k.growth);
-                     if (c.depth <= 0) continue;
-                     Vec correction = c.depth * c.n;
-                     if (k.static_friction > 0 || k.kinetic_friction > 0) {
-                       const Vec u = moved(i) - moved(j);
-                       const Vec t = u - dot(u, c.n) * c.n;
-                       const float slid = norm(t);
-                       const float kinetic = std::min(k.kinetic_friction * c.depth / std::max(slid, 1e-12f), 1.0f);
-                       correction = correction - (slid < k.static_friction * c.depth ? 1.0f : kinetic) * t;
-                     }
-                     sum = sum + share_of(work, i, j) * correction, touches += 1;
-                   }
-                   const Vec to = predicted(i) + (k.over_relaxation / std::max(touches, 1.0f)) * sum;
-                   out_x[i] = to.x, out_y[i] = to.y;
-                 });
+void project(Work& work, const Constants& k, std::size_t chunk) {
+  const auto moved = [&](std::size_t i) { return at(work.predicted, i) - at(work.at, i); };
+  for_each_agent(work, work.chunks[chunk].near, chunk, [&](std::size_t i, const std::vector<std::size_t>& neighbours) {
+    if (!work.chunks[chunk].busy[i % kChunk / kLanes]) return;
+    Vec sum;
+    float touches = 0;
+    for (const std::size_t j : neighbours) {
+      const Contact c = contact(work, i, j, work.predicted, k.growth);
+      if (c.depth <= 0) continue;
+      Vec correction = c.depth * c.n;
+      if (k.static_friction > 0 || k.kinetic_friction > 0) {
+        const Vec u = moved(i) - moved(j);
+        const Vec t = u - dot(u, c.n) * c.n;
+        const float slid = norm(t);
+        const float kinetic = std::min(k.kinetic_friction * c.depth / std::max(slid, 1e-12f), 1.0f);
+        correction = correction - (slid < k.static_friction * c.depth ? 1.0f : kinetic) * t;
+      }
+      sum = sum + share_of(work, i, j) * correction, touches += 1;
+    }
+    put(at(work.predicted, i) + relaxed(k, touches) * sum, work.corrected, i);
+  });
 }
 
 void finish(Work& work, const Constants& k, std::size_t chunk) {
-  const std::size_t begin = chunk * kChunk;
-  for (std::size_t i = begin; i < begin + work.blocks_of(chunk) * kLanes; ++i) {
-    const Vec x = at(work.x, work.y, i);
-    const Vec begun = x + k.part * blended(work, k, i);
-    const Vec corrected = at(work.corrected_x, work.corrected_y, i) - begun;
-    const Vec v = shortened(blended(work, k, i) + k.inverse_part * corrected, work.maximum_speed[i]);
-    const Vec moved = at(work.moved_x, work.moved_y, i) + k.part * v;
-    const Vec to = at(work.base_x, work.base_y, i) + moved;
-    work.moved_x[i] = moved.x, work.moved_y[i] = moved.y;
-    work.vx[i] = v.x, work.vy[i] = v.y;
-    work.next_x[i] = to.x, work.next_y[i] = to.y;
-    const Vec p = to + k.part * blended(work, k, i);
-    work.predicted_x[i] = p.x, work.predicted_y[i] = p.y;
-  }
+  for_each_of(work, chunk, true, [&](std::size_t i) {
+    const Vec begun = at(work.at, i) + k.part * blended(work, k, i);
+    const Vec correction = at(work.corrected, i) - begun;
+    put(shortened(blended(work, k, i) + k.inverse_part * correction, work.maximum_speed[i]), work.v, i);
+    put(at(work.moved, i) + k.part * at(work.v, i), work.moved, i);
+    put(at(work.base, i) + at(work.moved, i), work.next, i);
+    put(at(work.next, i) + k.part * blended(work, k, i), work.corrected, i);
+  });
 }
 
 }  // namespace inhabit::crowd::pbd_model::plainly

@@ -8,11 +8,15 @@ namespace inhabit::crowd::pbd_model::plainly {
 
 void find_neighbours(Work& work, const Reach& reach, std::size_t chunk);
 void heed(Work& work, const Constants& constants, std::size_t chunk);
-void cohere(const Work& work, const Constants& constants, std::size_t chunk, float* out_vx, float* out_vy);
-void foresee(const Work& work, const Constants& constants, std::size_t chunk, float* out_vx, float* out_vy);
-void stabilise(const Work& work, const Constants& constants, std::size_t chunk, float* out_x, float* out_y);
+void cohere(Work& work, const Constants& constants, std::size_t chunk);
+void intend(Work& work, const Constants& constants, std::size_t chunk);
+void foresee(Work& work, const Constants& constants, std::size_t chunk);
+void narrow(Work& work, const Constants& constants, std::size_t chunk);
+void glide(Work& work, const Constants& constants, std::size_t chunk);
+void stabilise(Work& work, const Constants& constants, std::size_t chunk);
+void settle(Work& work, const Constants& constants, std::size_t chunk);
 void predict(Work& work, const Constants& constants, std::size_t chunk);
-void project(const Work& work, const Constants& constants, std::size_t chunk, float* out_x, float* out_y);
+void project(Work& work, const Constants& constants, std::size_t chunk);
 void finish(Work& work, const Constants& constants, std::size_t chunk);
 
 }  // namespace inhabit::crowd::pbd_model::plainly

@@ -9,8 +9,9 @@
 #include "crowd/agents.h"
 #include "scene/crowd_models.h"
 
-/// What the position-based model keeps between and within steps. Agents are handled in blocks of sixteen neighbours in
-/// memory; arrays are padded to whole blocks, so that vector code needs no tails.
+/// What the position-based model keeps between and within steps. Agents are handled in blocks of sixteen that stand
+/// side by side in memory; arrays are padded to whole blocks, so that vector code needs no tails. Two coordinates of an
+/// agent stand together ("pairs": x0 y0 x1 y1 …), so that a neighbour's both come with one look.
 namespace inhabit::crowd::pbd_model {
 
 constexpr std::size_t kLanes = 16;
@@ -36,20 +37,29 @@ struct NearWall {
 struct Chunk {
   NeighbourRows contacts, far;
   std::vector<NearWall> walls;  ///< ascending by agent
+  /// Per block, when neighbours were found: the narrowest gap between two grown discs, metres; below 0 when a wall is
+  /// near.
+  std::array<float, kBlocksPerChunk> gap{};
+  // Of the step that is being made.
+  NeighbourRows near;  ///< those rows of `contacts` in which somebody may touch somebody before the step is over
+  std::array<std::uint8_t, kBlocksPerChunk> busy{};  ///< blocks that have such rows or walls; the others walk freely
+  std::uint32_t busy_count = 0;
+  float thrown = 0;  ///< how far stabilising has moved somebody, metres
 };
 
-/// What a step needs of the agents, in their order.
+/// What a step needs of the agents, in their order. Arrays without a remark are pairs.
 struct Work {
   std::size_t count = 0;
-  FloatArray x, y;              ///< where they are
-  FloatArray next_x, next_y;    ///< where they will be
-  FloatArray base_x, base_y;    ///< where they were when the sub-steps began, and
-  FloatArray moved_x, moved_y;  ///< how far they have come since: kept apart, or a float would round it away
-  FloatArray predicted_x, predicted_y;
-  FloatArray corrected_x, corrected_y;
-  FloatArray vx, vy, wish_x, wish_y, maximum_speed;
-  FloatArray radius, mass;  ///< empty when everybody is alike
-  float common_radius = 0;  ///< when everybody is alike, and the largest otherwise
+  FloatArray at;         ///< where they are
+  FloatArray next;       ///< where they will be
+  FloatArray base;       ///< where they were when the sub-steps began, and
+  FloatArray moved;      ///< how far they have come since: kept apart, or a float would round it away
+  FloatArray predicted;  ///< where they would be at the end of the sub-step, contacts so far considered
+  FloatArray corrected;  ///< the same after the iteration that is being made
+  FloatArray v, wish;
+  FloatArray maximum_speed;  ///< no pairs
+  FloatArray radius, mass;   ///< no pairs; empty when everybody is alike
+  float common_radius = 0;   ///< when everybody is alike, and the largest otherwise
   std::vector<Chunk> chunks;
 
   bool alike() const { return radius.empty(); }
@@ -64,12 +74,15 @@ struct Constants {
   float dt = 0;    ///< of the whole step
   float part = 0;  ///< of a sub-step
   float inverse_part = 0;
+  int parts = 1;         ///< sub-steps
   float blend = 0;       ///< alpha of eq. 4.1 for a sub-step
   float growth = 1.05f;  ///< 1 + contact margin
   float over_relaxation = 1.2f;
   float static_friction = 0, kinetic_friction = 0;
-  float velocity_change = 0;  ///< largest in a sub-step
+  float velocity_change = 0;  ///< largest in a step
   float skin = 0;
+  float moved = 0;   ///< how far anybody is from where he was when neighbours were found, metres
+  float stride = 0;  ///< how far anybody gets in a step, metres
   int far = 0;
   float far_horizon = 0;
   float headway = 0;
