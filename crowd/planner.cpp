@@ -87,6 +87,12 @@ struct Planner::Plans {
     const std::uint32_t k = leg_index(agents, i);
     return k != kNoLeg ? &legs[k] : nullptr;
   }
+  /// Whether something must be remembered of those who follow the route.
+  bool remembers(std::size_t route) const {
+    if (route + 1 >= first_leg.size()) return false;
+    const auto begin = legs.begin() + first_leg[route], end = legs.begin() + first_leg[route + 1];
+    return std::any_of(begin, end, [](const Leg& leg) { return leg.how == How::offset || leg.how == How::paths; });
+  }
   void add_leg(const scene::Scene& scene, const Goals& goals, std::vector<Goals>& by_path,
                std::vector<Goals>& by_field);
   Region::Way to_offset(const Agents& agents, std::size_t i, const Leg& leg) const;
@@ -206,6 +212,7 @@ Planner::~Planner() = default;
 void Planner::enter(const Agents& agents, std::size_t i, std::uint64_t seed) {
   const std::size_t id = agents.id[i];
   plans_->seed = seed;
+  if (!plans_->remembers(agents.route[i])) return;
   if (id >= plans_->memory.size()) plans_->memory.resize(std::max(id + 1, id + id / 2));
   plans_->memory[id] = {agents.x[i], agents.y[i], Ways::kNone, 0};
 }

@@ -155,8 +155,10 @@ float gap_of(const Work& work, const Candidates& list, std::size_t i, const Reac
 
 void find_neighbours(Work& work, const Grid& grid, const Reach& reach, std::size_t chunk) {
   Chunk& out = work.chunks[chunk];
-  out.contacts.items.clear(), out.far.items.clear();
-  out.contacts.first[0] = out.far.first[0] = 0;
+  // Collected elsewhere first, so that the chunk gets no more room than it needs: that is a third of all memory.
+  thread_local NeighbourRows contact_rows, far_rows;
+  contact_rows.items.clear(), far_rows.items.clear();
+  contact_rows.first[0] = far_rows.first[0] = 0;
   std::array<Candidates, kLanes> contacts, far;
   for (std::size_t b = 0; b < work.blocks_of(chunk); ++b) {
     const std::size_t first = chunk * kChunk + b * kLanes;
@@ -178,9 +180,11 @@ void find_neighbours(Work& work, const Grid& grid, const Reach& reach, std::size
       out.gap[b] = std::min(out.gap[b], gap_of(work, contacts[lane], i, reach));
       if (reach.far) far_candidates(work, grid, reach, i, far[lane]);
     }
-    append_rows(contacts, first, out.contacts, b);
-    append_rows(far, first, out.far, b);
+    append_rows(contacts, first, contact_rows, b);
+    append_rows(far, first, far_rows, b);
   }
+  for (const auto& [from, to] : {std::pair{&contact_rows, &out.contacts}, std::pair{&far_rows, &out.far}})
+    to->items.assign(from->items.begin(), from->items.end()), to->first = from->first;
 }
 
 }  // namespace inhabit::crowd::pbd_model::HWY_NAMESPACE
