@@ -231,6 +231,10 @@ Simulation::~Simulation() = default;
 
 double Simulation::time() const { return static_cast<double>(state_->steps) * state_->dt; }
 const StepTimes& Simulation::times() const { return state_->times; }
+Effort Simulation::effort() const {
+  const Pbd* model = std::get_if<Pbd>(&state_->model);
+  return model != nullptr ? model->effort() : Effort{};
+}
 double Simulation::dt() const { return state_->dt; }
 std::size_t Simulation::steps() const { return state_->steps; }
 const Agents& Simulation::agents() const { return state_->agents; }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "crowd/agents.h"
+#include "crowd/models/pbd.h"
 #include "crowd/placement.h"
 #include "crowd/world.h"
 
@@ -56,6 +57,8 @@ class Simulation {
   std::size_t put_back() const;
   bool finished() const;  ///< nobody is there and nobody will come
   const StepTimes& times() const;
+  /// Of the last step of the position-based model; zeros for other models.
+  Effort effort() const;
 
  private:
   struct State;

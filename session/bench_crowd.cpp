@@ -10,6 +10,7 @@
 #include "session/bench.h"
 #include "session/crowd_builder.h"
 #include "session/crowd_scenes.h"
+#include "session/machine_limits.h"
 #include "session/simulate_job.h"
 
 namespace inhabit::session {
@@ -20,6 +21,7 @@ struct CrowdRun {
   std::vector<double> milliseconds;  ///< of each step: people enter, wish, move, arrive; the looking is not in it
   crowd::StepTimes times;
   crowd::Overlap worst;
+  crowd::Effort effort;  ///< of all steps
   std::size_t people = 0, arrived = 0, through = 0, put_back = 0;
   double mean() const {
     double sum = 0;
@@ -52,6 +54,8 @@ Result<CrowdRun> run_scene(const Scene& scene, const BenchOptions& options, bool
     if (options.cancel && options.cancel->requested()) break;
     const double before = simulation->times().sum();
     simulation->step();
+    const crowd::Effort effort = simulation->effort();
+    run.effort.flops += effort.flops, run.effort.bytes += effort.bytes;
     run.milliseconds.push_back(1000 * (simulation->times().sum() - before));
     if (look) {
       const crowd::Overlap now = meter.measure(simulation->agents(), simulation->world().walls, options.threads);
@@ -199,11 +203,40 @@ Status growth_table(const BenchOptions& options, BenchGroup& group) {
   return Done{};
 }
 
+/// The model's own loops against what the machine can do at best.
+Result<Table> roofline_table(const BenchOptions& options) {
+  Table table{
+      "crowd-roofline", "Roofline: what the model computes and moves, against the most this machine does", {}, {}, {}};
+  table.columns = {{"scene"},        {"flops each", 0}, {"bytes each", 0},     {"model ms", 3}, {"GFLOP/s", 1},
+                   {"of peak %", 1}, {"GB/s", 1},       {"of bandwidth %", 1}, {"least ms", 3}};
+  constexpr std::size_t kWorking = 20'000'000, kFar = 400'000'000;
+  const double peak = peak_flops(options.threads), near = bandwidth(kWorking, options.threads);
+  const double far = bandwidth(kFar, options.threads);
+  for (const char* name : {"peers-passing-10032", "peers-passing-100000", "peers-bottleneck-100048", "peers-crush"}) {
+    if (options.cancel && options.cancel->requested()) break;
+    BenchOptions some = options;
+    some.seconds = options.seconds > 0 ? std::min(options.seconds, 5.0) : 5;
+    const Result<CrowdRun> run = run_scene(find_crowd_scene(name)->build(), some, false);
+    if (!run) return run.error();
+    const double each = static_cast<double>(run->people * run->milliseconds.size());
+    const double flops = run->effort.flops / run->times.model, bytes = run->effort.bytes / run->times.model;
+    const double steps = static_cast<double>(run->milliseconds.size());
+    table.rows.push_back({name, run->effort.flops / each, run->effort.bytes / each, run->each(run->times.model),
+                          1e-9 * flops, 100 * flops / peak, 1e-9 * bytes, 100 * bytes / near,
+                          1000 * std::max(run->effort.flops / peak, run->effort.bytes / near) / steps});
+  }
+  table.notes = {"each: per person and step, the first 5 s; least: what the larger of the two shares would take",
+                 "the most: " + fixed(1e-9 * peak, 0) + " GFLOP/s, " + fixed(1e-9 * near, 1) + " GB/s over 20 MB, " +
+                     fixed(1e-9 * far, 1) + " GB/s over 400 MB, measured by this run",
+                 "model ms holds the search of neighbours too, which the counts leave out"};
+  return table;
+}
+
 }  // namespace
 
 Result<BenchGroup> bench_crowd(const BenchOptions& options) {
   BenchGroup group;
-  for (const auto& run : {peers_table, thesis_table}) {
+  for (const auto& run : {peers_table, thesis_table, roofline_table}) {
     Result<Table> table = run(options);
     if (!table) return table.error();
     group.tables.push_back(*std::move(table));

@@ -297,6 +297,38 @@ std::size_t Pbd::bytes() const {
   return total;
 }
 
+Effort Pbd::effort() const {
+  const State& s = *state_;
+  const Parameters& p = s.parameters;
+  double contacts = 0, far = 0, near = 0, busy = 0;  // entries of lists, agents
+  for (const Chunk& chunk : s.work.chunks) {
+    contacts += static_cast<double>(chunk.contacts.items.size()), far += static_cast<double>(chunk.far.items.size());
+    near += static_cast<double>(chunk.near.items.size()), busy += static_cast<double>(chunk.busy_count * kLanes);
+  }
+  const double all = static_cast<double>(s.work.count);
+  // Of crowd/models/pbd_kernels.cpp, per entry and per agent: operations; and bytes: 4 for an index, 8 for a pair.
+  struct Loop {
+    double times, entries, flops_each, bytes_each, agents, flops, bytes;
+  };
+  const double passes = p.sub_steps * p.iterations;
+  const Loop loops[] = {
+      {s.constants.far != 0 ? 1.0 : 0.0, 0, 0, 0, all, 6, 24},       // intend
+      {s.constants.far != 0 ? 1.0 : 0.0, far, 56, 20, all, 12, 24},  // foresee
+      {1, contacts, 8, 12, all, 0, 8},                               // narrow
+      {1, 0, 0, 0, all - busy, 15.0 * p.sub_steps, 60},              // glide
+      {static_cast<double>(p.stability_iterations), near, 24, 12, busy, 10, 40},
+      {1, 0, 0, 0, busy, 10, 48},                                 // predict
+      {passes, near, 42, 20, busy, 8, 24},                        // project
+      {static_cast<double>(p.sub_steps), 0, 0, 0, busy, 38, 92},  // finish
+  };
+  Effort effort;
+  for (const Loop& loop : loops) {
+    effort.flops += loop.times * (loop.entries * loop.flops_each + loop.agents * loop.flops);
+    effort.bytes += loop.times * (loop.entries * loop.bytes_each + loop.agents * loop.bytes);
+  }
+  return effort;
+}
+
 std::size_t Pbd::rebuilds() const { return state_->rebuilds; }
 
 }  // namespace inhabit::crowd

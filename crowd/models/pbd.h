@@ -6,6 +6,12 @@
 
 namespace inhabit::crowd {
 
+/// What a step computes and moves, counted from its lists: every addition, multiplication, comparison, root and
+/// quotient of numbers as one, and every byte that a loop reads or writes once, gathered ones included.
+struct Effort {
+  double flops = 0, bytes = 0;
+};
+
 /// Position-based crowds (thesis ch. 4, algorithm 2), with the printed errors corrected and these deviations, each for
 /// speed or depth of overlap (docs/crowds.md has the figures):
 ///   - a step is cut into eight sub-steps of one iteration, over-relaxed by 1.8, that share their neighbours, instead of
@@ -30,6 +36,8 @@ class Pbd {
 
   /// Bytes that the model holds, for the bench.
   std::size_t bytes() const;
+  /// Of the step made last, finding neighbours not counted.
+  Effort effort() const;
   /// How often neighbours were found anew so far.
   std::size_t rebuilds() const;
 
