@@ -14,6 +14,8 @@ class IndexSet {
   IndexSet(std::size_t n, bool all) : words_((n + 63) / 64, all ? ~std::uint64_t{0} : 0) {
     if (all && n % 64 != 0) words_.back() >>= 64 - n % 64;
   }
+  /// Makes place for the numbers up to n - 1.
+  void grow(std::size_t n) { words_.resize((n + 63) / 64); }
   void insert(std::size_t i) { words_[i / 64] |= std::uint64_t{1} << (i % 64); }
   void erase(std::size_t i) { words_[i / 64] &= ~(std::uint64_t{1} << (i % 64)); }
   bool contains(std::size_t i) const { return (words_[i / 64] >> (i % 64) & 1) != 0; }

@@ -100,7 +100,7 @@ void Contacts::refresh(const State& x) {
   if (built_at_.empty()) return rebuild(x);
   std::vector<std::uint32_t> strays;
   for (std::uint32_t i = 0; i < x.boxes.size(); ++i) {
-    if (!strayed(x, i)) continue;
+    if (!strayed(x, i, built_at_[i])) continue;
     if (outcasts_.size() + strays.size() >= most_outcasts_) return rebuild(x);
     strays.push_back(i);
   }

@@ -52,15 +52,27 @@ class Contacts {
   template <class Sink>
   bool project_pair(const State& x, const Pair& pair, double k, Sink& sink, double least = 0) const;
   void score_pair(const State& x, const Pair& pair, Score& s, double& squares) const;
-  /// The box has moved so far that refresh() would find the pairs anew.
-  bool strayed(const State& x, std::uint32_t box) const {
-    if (all_) return false;
-    const Vec2 d = x.boxes[box].center - built_at_[box];
+  /// The box has moved so far from where it was listed that its pairs are to be found anew.
+  bool strayed(const State& x, std::uint32_t box, Vec2 listed_at) const {
+    const Vec2 d = x.boxes[box].center - listed_at;
     return dot(d, d) > margin_ * margin_ / 4;
+  }
+  /// Where each box was when its pairs were found. Empty when all pairs are kept.
+  const std::vector<Vec2>& built_at() const { return built_at_; }
+  /// Boxes whose circles were farther apart than this when they were listed are no pair.
+  double margin() const { return margin_; }
+  Pair pair_of(std::uint32_t i, std::uint32_t j) const;
+  /// Calls f(box) for every box that was listed where its pairs with a box at p may be, `radius` large, and for others.
+  template <class F>
+  void visit_boxes(Vec2 p, double radius, F&& f) const {
+    visit_cells(p, radius + small_radius_ + margin_, [&](const Item& item) {
+      if (!outcast_.contains(item.box)) f(item.box);
+    });
+    for (const std::uint32_t i : outcasts_) f(i);
+    for (const std::uint32_t i : large_) f(i);
   }
 
  private:
-  Pair pair_of(std::uint32_t i, std::uint32_t j) const;
   Pair zone_pair_of(std::uint32_t z, std::uint32_t b) const;
   /// May the box have to leave the zone, wherever they are?
   bool zone_meets(std::uint32_t z, std::uint32_t b) const;
@@ -107,15 +119,6 @@ class Contacts {
         for (std::uint32_t s = cell_first_[k]; s < cell_first_[k + 1]; ++s) f(cell_items_[s]);
       }
     }
-  }
-  /// Calls f(box) for every box listed within `reach` of p, and some others.
-  template <class F>
-  void visit_boxes(Vec2 p, double reach, F&& f) const {
-    visit_cells(p, reach, [&](const Item& item) {
-      if (!outcast_.contains(item.box)) f(item.box);
-    });
-    for (const std::uint32_t i : outcasts_) f(i);
-    for (const std::uint32_t i : large_) f(i);
   }
   std::vector<std::uint32_t> outcasts_;  ///< boxes that are no longer in the cell of their item
   core::IndexSet outcast_;

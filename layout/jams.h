@@ -1,4 +1,6 @@
 #pragma once
+#include <map>
+
 #include "layout/contacts.h"
 
 namespace inhabit::layout {
@@ -11,11 +13,12 @@ class Jams {
   /// Keeps references to both.
   Jams(const Problem& problem, Contacts& contacts) : p_(problem), contacts_(contacts) {}
 
-  /// Brings the pairs up to date; everything counts as moved. Call it first, and after anybody else has moved things.
+  /// Takes the pairs from Contacts, brought up to date; everything counts as moved. Call it first, and after anybody
+  /// else has moved things.
   void reset(const State& x);
   /// Collisions, then the boundary, at full stiffness.
   void sweep(State& x);
-  /// Brings the pairs up to date and adds the overlaps and the boundary's violations to the sums of the score.
+  /// Adds the overlaps and the boundary's violations to the sums of the score. Finds the pairs of who has strayed.
   void score(const State& x, Score& s, double& squares);
 
  private:
@@ -28,16 +31,23 @@ class Jams {
       jams.note(a.body);
     }
   };
+  template <class F>
+  void for_each_pair_of(std::uint32_t box, F&& f) const;
   void note(std::uint32_t body);
-  void list_pairs();
+  void relist(const State& x, std::uint32_t box);
 
   const Problem& p_;
   Contacts& contacts_;
-  core::IndexSet pairs_;   ///< of Contacts: those that may overlap
-  core::IndexSet bodies_;  ///< those that may be outside
-  core::IndexSet moved_;   ///< bodies that have moved since the pairs were last seen to be up to date
-  /// Pairs of each box, as ranges of `pairs_of_`.
+  std::vector<Contacts::Pair> pairs_;  ///< those of Contacts, then those found here; dead ones reach nowhere
+  std::vector<Vec2> listed_at_;        ///< where each box was when its pairs were found; none: all pairs are listed
+  core::IndexSet overlapping_;         ///< pairs that may overlap
+  core::IndexSet outside_;             ///< bodies that may be outside
+  core::IndexSet moved_;               ///< bodies that have moved since the last score
+  /// Pairs of each box, as ranges of `pairs_of_`, and those found here.
   std::vector<std::uint32_t> first_, pairs_of_;
+  std::map<std::uint32_t, std::vector<std::uint32_t>> more_of_;
+  std::vector<std::uint32_t> strays_;  ///< boxes listed anew here
+  core::IndexSet stray_;
 };
 
 }  // namespace inhabit::layout

@@ -43,7 +43,7 @@ void Contacts::relist(const State& x, std::span<const std::uint32_t> strays) {
   for (const std::uint32_t s : strays) {
     if (!p_.collisions) break;
     const double reach = boxes[s].radius + margin_;
-    visit_boxes(built_at_[s], reach + small_radius_, [&](std::uint32_t i) {
+    visit_boxes(built_at_[s], boxes[s].radius, [&](std::uint32_t i) {
       if (i != s && within(built_at_[s], i, reach + boxes[i].radius) && p_.collide(i, s))
         fresh.push_back(pair_of(std::min(i, s), std::max(i, s)));
     });
@@ -60,12 +60,11 @@ void Contacts::relist(const State& x, std::span<const std::uint32_t> strays) {
   };
   for (const std::uint32_t s : strays) {
     for (const std::uint32_t z : p_.zones_of_body[boxes[s].body]) {
-      visit_boxes(x.bodies[boxes[s].body].p, zone_reach_[z] + small_radius_ + margin_,
-                  [&](std::uint32_t i) { consider(z, i, margin_); });
+      visit_boxes(x.bodies[boxes[s].body].p, zone_reach_[z], [&](std::uint32_t i) { consider(z, i, margin_); });
     }
     // Where another's zone was when its pairs were listed is half a margin from where it is.
     const double margin = 1.5 * margin_;
-    visit_boxes(built_at_[s], small_zone_reach_ + boxes[s].radius + margin + margin_, [&](std::uint32_t i) {
+    visit_boxes(built_at_[s], small_zone_reach_ + boxes[s].radius + margin, [&](std::uint32_t i) {
       for (const std::uint32_t z : p_.zones_of_body[boxes[i].body]) {
         if (!rides(z)) consider(z, s, margin);
       }
