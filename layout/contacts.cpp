@@ -12,6 +12,9 @@ constexpr std::size_t kFew = 24;
 /// Above this many boxes, which no longer fit into a core's own cache, pairs are visited in the order of their boxes.
 constexpr std::size_t kLarge = 2000;
 
+/// So many boxes may have left the cells that they were sorted into before all are sorted anew.
+constexpr std::size_t kOutcasts = 256;
+
 /// The next float that is not less.
 float rounded_up(double v) {
   const auto f = static_cast<float>(v);
@@ -47,6 +50,18 @@ Contacts::Contacts(const Problem& problem) : p_(problem) {
     }
   }
   margin_ = *middle;
+  // A group's zone moves when any member does.
+  const auto of_group = [](const Zone& z) { return z.owner && z.owner->group(); };
+  most_outcasts_ = boxes.size() > kLarge && std::ranges::none_of(p_.zones, of_group) ? kOutcasts : 0;
+  for (std::uint32_t z = 0; z < p_.zones.size(); ++z) {
+    const auto& owner = p_.zones[z].owner;
+    const double reach = owner && !owner->group() ? zone_reach_[z] + p_.data.bodies[owner->body].radius : 1e300;
+    if (reach > 2 * limit || boxes[p_.data.bodies[owner->body].first_box].radius > limit) {
+      wide_zones_.push_back(z);
+    } else {
+      small_zone_reach_ = std::max(small_zone_reach_, reach);
+    }
+  }
 }
 
 Contacts::Pair Contacts::pair_of(std::uint32_t i, std::uint32_t j) const {
@@ -59,6 +74,13 @@ Contacts::Pair Contacts::zone_pair_of(std::uint32_t z, std::uint32_t b) const {
   return {z, b, rounded_up(reach * reach)};
 }
 
+bool Contacts::zone_meets(std::uint32_t z, std::uint32_t b) const {
+  const BoxData& d = p_.data.boxes[b];
+  const Zone& zone = p_.zones[z];
+  const bool own = zone.owner && zone.owner->body == d.body;
+  return !own && d.low < zone.high && zone.low < d.high && zone.concerns(b);
+}
+
 void Contacts::all_pairs() {
   const auto n = static_cast<std::uint32_t>(p_.data.boxes.size());
   for (std::uint32_t i = 0; i < n && p_.collisions; ++i) {
@@ -68,26 +90,21 @@ void Contacts::all_pairs() {
   }
   for (std::uint32_t z = 0; z < p_.zones.size(); ++z) {
     for (std::uint32_t b = 0; b < n; ++b) {
-      const BoxData& d = p_.data.boxes[b];
-      const Zone& zone = p_.zones[z];
-      const bool own = zone.owner && zone.owner->body == d.body;
-      if (!own && d.low < zone.high && zone.low < d.high && zone.concerns(b)) zone_pairs_.push_back(zone_pair_of(z, b));
+      if (zone_meets(z, b)) zone_pairs_.push_back(zone_pair_of(z, b));
     }
   }
 }
 
-bool Contacts::stale(const State& x) const {
-  if (built_at_.size() != x.boxes.size()) return true;
-  const double limit = margin_ * margin_ / 4;
-  for (std::size_t i = 0; i < x.boxes.size(); ++i) {
-    const Vec2 d = x.boxes[i].center - built_at_[i];
-    if (dot(d, d) > limit) return true;
-  }
-  return false;
-}
-
 void Contacts::refresh(const State& x) {
-  if (!all_ && stale(x)) rebuild(x);
+  if (all_) return;
+  if (built_at_.empty()) return rebuild(x);
+  std::vector<std::uint32_t> strays;
+  for (std::uint32_t i = 0; i < x.boxes.size(); ++i) {
+    if (!strayed(x, i, built_at_[i])) continue;
+    if (outcasts_.size() + strays.size() >= most_outcasts_) return rebuild(x);
+    strays.push_back(i);
+  }
+  if (!strays.empty()) relist(x, strays);
 }
 
 void Contacts::rebuild(const State& x) {
@@ -99,18 +116,13 @@ void Contacts::rebuild(const State& x) {
   // A cell holds the reach of the widest small pair; sparse scenes get larger cells, so that there are about 4 n of
   // them, and no more than that along a row of things, whose extent has no area.
   const Vec2 extent = b.size();
-  double cell = 2 * small_radius_ + margin_;
   const double most = 4.0 * static_cast<double>(n);
-  cell = std::max({cell, std::sqrt(extent.x * extent.y / most), std::max(extent.x, extent.y) / most});
-  const auto columns = static_cast<std::int64_t>(extent.x / cell) + 1,
-             rows = static_cast<std::int64_t>(extent.y / cell) + 1;
-  // Truncation is floor here: nothing lies below the bounds' corner, and queries that do are clamped to it.
-  const auto column = [&](double v) {
-    return std::min(static_cast<std::int64_t>(std::max(0.0, (v - b.min.x) / cell)), columns - 1);
-  };
-  const auto row = [&](double v) {
-    return std::min(static_cast<std::int64_t>(std::max(0.0, (v - b.min.y) / cell)), rows - 1);
-  };
+  grid_.min = b.min;
+  grid_.cell = std::max(
+      {2 * small_radius_ + margin_, std::sqrt(extent.x * extent.y / most), std::max(extent.x, extent.y) / most});
+  grid_.columns = static_cast<std::int64_t>(extent.x / grid_.cell) + 1;
+  grid_.rows = static_cast<std::int64_t>(extent.y / grid_.cell) + 1;
+  const std::int64_t columns = grid_.columns, rows = grid_.rows;
   // Counting sort of the small boxes by cell.
   cell_first_.assign(static_cast<std::size_t>(columns * rows) + 1, 0);
   cell_of_.assign(n, 0xffffffffu);
@@ -119,7 +131,7 @@ void Contacts::rebuild(const State& x) {
       ++next;
       continue;
     }
-    cell_of_[i] = static_cast<std::uint32_t>(row(built_at_[i].y) * columns + column(built_at_[i].x));
+    cell_of_[i] = static_cast<std::uint32_t>(grid_.row(built_at_[i].y) * columns + grid_.column(built_at_[i].x));
     ++cell_first_[cell_of_[i] + 1];
   }
   for (std::size_t c = 1; c < cell_first_.size(); ++c) cell_first_[c] += cell_first_[c - 1];
@@ -128,14 +140,7 @@ void Contacts::rebuild(const State& x) {
   for (std::uint32_t i = 0; i < n; ++i) {
     if (cell_of_[i] != 0xffffffffu) cell_items_[fill[cell_of_[i]]++] = {built_at_[i], boxes[i].radius, i};
   }
-  const auto visit = [&](Vec2 p, double reach, auto&& f) {
-    for (std::int64_t r = row(p.y - reach); r <= row(p.y + reach); ++r) {
-      for (std::int64_t c = column(p.x - reach); c <= column(p.x + reach); ++c) {
-        const auto k = static_cast<std::size_t>(r * columns + c);
-        for (std::uint32_t s = cell_first_[k]; s < cell_first_[k + 1]; ++s) f(cell_items_[s]);
-      }
-    }
-  };
+  outcasts_.clear(), outcast_ = core::IndexSet(n, false);
   pairs_.clear();
   if (p_.collisions) {
     const auto consider = [&](const Item& i, const Item& j) {
@@ -176,12 +181,9 @@ void Contacts::rebuild(const State& x) {
       const double reach = zone_reach_[z] + j.radius + margin_;
       const Vec2 gap = at - j.center;
       if (dot(gap, gap) >= reach * reach) return;
-      const BoxData& d = boxes[j.box];
-      const bool own = zone.owner && zone.owner->body == d.body;
-      if (own || d.low >= zone.high || zone.low >= d.high) return;
-      if (zone.concerns(j.box)) zone_pairs_.push_back(zone_pair_of(z, j.box));
+      if (zone_meets(z, j.box)) zone_pairs_.push_back(zone_pair_of(z, j.box));
     };
-    visit(at, zone_reach_[z] + small_radius_ + margin_, consider);
+    visit_cells(at, zone_reach_[z] + small_radius_ + margin_, consider);
     for (const std::uint32_t j : large_) consider({built_at_[j], boxes[j].radius, j});
   }
   trim(pairs_), trim(zone_pairs_);
@@ -196,16 +198,18 @@ void Contacts::sort_pairs() {
   pairs_ = std::move(sorted);
 }
 
+void Contacts::score_pair(const State& x, const Pair& pair, Score& s, double& squares) const {
+  const Vec2 d = x.boxes[pair.a].center - x.boxes[pair.b].center;
+  if (dot(d, d) >= pair.reach_square) return;
+  const double depth = separation(x.boxes[pair.a], x.boxes[pair.b]).depth;
+  if (depth <= 0) return;
+  s.violation += depth;
+  s.worst = std::max(s.worst, depth);
+  squares += p_.collision_gamma * depth * depth;
+}
+
 void Contacts::score_collisions(const State& x, Score& s, double& squares) const {
-  for (const Pair& pair : pairs_) {
-    const Vec2 d = x.boxes[pair.a].center - x.boxes[pair.b].center;
-    if (dot(d, d) >= pair.reach_square) continue;
-    const double depth = separation(x.boxes[pair.a], x.boxes[pair.b]).depth;
-    if (depth <= 0) continue;
-    s.violation += depth;
-    s.worst = std::max(s.worst, depth);
-    squares += p_.collision_gamma * depth * depth;
-  }
+  for (const Pair& pair : pairs_) score_pair(x, pair, s, squares);
 }
 
 void Contacts::score_zones(const State& x, Score& s, double& squares) const {

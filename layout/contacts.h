@@ -1,4 +1,5 @@
 #pragma once
+#include "core/index_set.h"
 #include "layout/constraints/collision.h"
 
 namespace inhabit::layout {
@@ -25,7 +26,9 @@ class Contacts {
   void refresh(const State& x);
 
   template <class Sink>
-  void project_collisions(const State& x, double k, Sink& sink) const;
+  void project_collisions(const State& x, double k, Sink& sink) const {
+    for (const Pair& pair : pairs_) project_pair(x, pair, k, sink);
+  }
   template <class Sink>
   void project_zones(const State& x, std::span<const double> stiffness, bool sphere, Sink& sink) const;
 
@@ -45,15 +48,41 @@ class Contacts {
     float reach_square = 0;  ///< of the two circles about them, rounded up: farther apart they cannot meet
   };
   const std::vector<Pair>& pairs() const { return pairs_; }
+  /// Parts the two; false when they did not overlap by more than `least`.
+  template <class Sink>
+  bool project_pair(const State& x, const Pair& pair, double k, Sink& sink, double least = 0) const;
+  void score_pair(const State& x, const Pair& pair, Score& s, double& squares) const;
+  /// The box has moved so far from where it was listed that its pairs are to be found anew.
+  bool strayed(const State& x, std::uint32_t box, Vec2 listed_at) const {
+    const Vec2 d = x.boxes[box].center - listed_at;
+    return dot(d, d) > margin_ * margin_ / 4;
+  }
+  /// Where each box was when its pairs were found. Empty when all pairs are kept.
+  const std::vector<Vec2>& built_at() const { return built_at_; }
+  /// Boxes whose circles were farther apart than this when they were listed are no pair.
+  double margin() const { return margin_; }
+  Pair pair_of(std::uint32_t i, std::uint32_t j) const;
+  /// Calls f(box) for every box that was listed where its pairs with a box at p may be, `radius` large, and for others.
+  template <class F>
+  void visit_boxes(Vec2 p, double radius, F&& f) const {
+    visit_cells(p, radius + small_radius_ + margin_, [&](const Item& item) {
+      if (!outcast_.contains(item.box)) f(item.box);
+    });
+    for (const std::uint32_t i : outcasts_) f(i);
+    for (const std::uint32_t i : large_) f(i);
+  }
 
  private:
-  Pair pair_of(std::uint32_t i, std::uint32_t j) const;
   Pair zone_pair_of(std::uint32_t z, std::uint32_t b) const;
+  /// May the box have to leave the zone, wherever they are?
+  bool zone_meets(std::uint32_t z, std::uint32_t b) const;
   void rebuild(const State& x);
+  /// Finds the pairs of these boxes, and of zones that ride with them, anew: in a large hall somebody strays in every
+  /// iteration.
+  void relist(const State& x, std::span<const std::uint32_t> strays);
   void all_pairs();
   /// In the order of their first boxes: what stands together in the document stands together in memory.
   void sort_pairs();
-  bool stale(const State& x) const;
   void separate_along_wall(const State& x, const Pair& pair, const Separation& s, double k, auto& sink) const;
 
   const Problem& p_;
@@ -68,10 +97,51 @@ class Contacts {
     std::uint32_t box = 0;
   };
   std::vector<Item> cell_items_;
+  struct Grid {
+    Vec2 min;
+    double cell = 1;
+    std::int64_t columns = 0, rows = 0;
+    // Truncation is floor here: nothing lies below the bounds' corner, and queries that do are clamped to it.
+    std::int64_t column(double v) const {
+      return std::min(static_cast<std::int64_t>(std::max(0.0, (v - min.x) / cell)), columns - 1);
+    }
+    std::int64_t row(double v) const {
+      return std::min(static_cast<std::int64_t>(std::max(0.0, (v - min.y) / cell)), rows - 1);
+    }
+  };
+  Grid grid_;
+  /// Calls f(item) for the items of every cell within `reach` of p, at least.
+  template <class F>
+  void visit_cells(Vec2 p, double reach, F&& f) const {
+    for (std::int64_t r = grid_.row(p.y - reach); r <= grid_.row(p.y + reach); ++r) {
+      for (std::int64_t c = grid_.column(p.x - reach); c <= grid_.column(p.x + reach); ++c) {
+        const auto k = static_cast<std::size_t>(r * grid_.columns + c);
+        for (std::uint32_t s = cell_first_[k]; s < cell_first_[k + 1]; ++s) f(cell_items_[s]);
+      }
+    }
+  }
+  std::vector<std::uint32_t> outcasts_;  ///< boxes that are no longer in the cell of their item
+  core::IndexSet outcast_;
+  std::size_t most_outcasts_ = 0;          ///< 0: pairs are always found anew
+  std::vector<std::uint32_t> wide_zones_;  ///< asked one by one: they reach far, or ride on nobody in a cell
+  double small_zone_reach_ = 0;            ///< of all others, from their body's boxes
   std::vector<std::uint32_t> large_, cell_of_, cell_first_;
   double margin_ = 0, small_radius_ = 0;
   bool all_ = false;
 };
+
+/// Adds how far the body's boxes are outside to the sums of the score.
+inline void score_boundary(const Problem& p, const State& x, std::uint32_t body, Score& s, double& squares) {
+  const BodyData& d = p.data.bodies[body];
+  // What cannot move stands as it is given.
+  for (std::uint32_t i = d.first_box; i < d.first_box + d.boxes && d.w > 0 && p.boundary; ++i) {
+    double deepest = 0;
+    p.room.for_each_violation(x.boxes[i], [&](Vec2, double depth) { deepest = std::max(deepest, depth); });
+    s.violation += deepest;
+    s.worst = std::max(s.worst, deepest);
+    squares += p.boundary_gamma * deepest * deepest;
+  }
+}
 
 /// Overlap that two boxes have as circles at least: a cheap way to say no.
 inline bool near(const Box& a, double ra, const Box& b, double rb) {
@@ -81,18 +151,17 @@ inline bool near(const Box& a, double ra, const Box& b, double rb) {
 }
 
 template <class Sink>
-void Contacts::project_collisions(const State& x, double k, Sink& sink) const {
-  const auto& boxes = p_.data.boxes;
-  for (const Pair& pair : pairs_) {
-    const Vec2 d = x.boxes[pair.a].center - x.boxes[pair.b].center;
-    if (dot(d, d) >= pair.reach_square) continue;
-    const BoxData &da = boxes[pair.a], &db = boxes[pair.b];
-    const Separation s = contact(p_, x, pair.a, pair.b);
-    if (s.depth <= 0) continue;
-    const Anchor a{da.body}, b{db.body};
-    part(a, b, p_.data.bodies[da.body].w, p_.data.bodies[db.body].w, s.normal, -k * s.depth, sink);
-    if (da.at_wall && db.at_wall) separate_along_wall(x, pair, s, k, sink);
-  }
+bool Contacts::project_pair(const State& x, const Pair& pair, double k, Sink& sink, double least) const {
+  const Vec2 d = x.boxes[pair.a].center - x.boxes[pair.b].center;
+  if (dot(d, d) >= pair.reach_square) return false;
+  const BoxData &da = p_.data.boxes[pair.a], &db = p_.data.boxes[pair.b];
+  const Separation s = contact(p_, x, pair.a, pair.b);
+  // Circles that touch round boxes that overlap: nothing to do, but not apart either.
+  if (s.depth <= least) return (da.sphere & db.sphere) != 0;
+  const Anchor a{da.body}, b{db.body};
+  part(a, b, p_.data.bodies[da.body].w, p_.data.bodies[db.body].w, s.normal, -k * s.depth, sink);
+  if (da.at_wall && db.at_wall) separate_along_wall(x, pair, s, k, sink);
+  return true;
 }
 
 /// Two objects held to the same wall part along it, as well as along the shortest way (TVCG 3.3.9, fig. 8b).

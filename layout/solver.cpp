@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "layout/jams.h"
+
 namespace inhabit::layout {
 namespace {
 
@@ -137,21 +139,6 @@ double Solver::total_gamma() const {
   return sum;
 }
 
-void Solver::score_violations(Score& s, double& squares) {
-  if (p_.boundary) {
-    // What cannot move stands as it is given.
-    p_.for_each_movable_box([&](std::uint32_t i, std::uint32_t) {
-      double deepest = 0;
-      p_.room.for_each_violation(x_.boxes[i], [&](Vec2, double depth) { deepest = std::max(deepest, depth); });
-      s.violation += deepest;
-      s.worst = std::max(s.worst, deepest);
-      squares += p_.boundary_gamma * deepest * deepest;
-    });
-  }
-  contacts_.refresh(x_);
-  contacts_.score_collisions(x_, s, squares);
-}
-
 Score Solver::score() {
   Score s;
   double squares = 0;
@@ -162,7 +149,9 @@ Score Solver::score() {
       s.slack = std::max(s.slack, std::abs(e));
     }
   });
-  score_violations(s, squares);
+  for (std::uint32_t b = 0; b < p_.data.bodies.size(); ++b) score_boundary(p_, x_, b, s, squares);
+  contacts_.refresh(x_);
+  contacts_.score_collisions(x_, s, squares);
   contacts_.score_zones(x_, s, squares);
   s.energy = std::sqrt(squares);
   return s;
@@ -176,24 +165,24 @@ void Solver::keep(const Score& s) {
 
 bool Solver::polish() {
   const State saved = x_;
-  Direct sink{x_};
+  Jams jams(p_, contacts_);
+  jams.reset(x_);
   bool done = false;
   // In a large scene some spot is always jammed: who is still overlapping then moves elsewhere, a few at a time.
   int moves = placer_ && options_.relocation && p_.data.bodies.size() > kMany ? 4 : 0;
   double last = 1e300;
   for (int i = 0; i < 200 && !done; ++i) {
-    if (i % 4 == 0) contacts_.refresh(x_);
-    contacts_.project_collisions(x_, 1, sink);
-    project_boundary(1, sink);
+    jams.sweep(x_);
     if (i % 4 != 3) continue;
     Score s;
     double squares = 0;
-    score_violations(s, squares);
+    jams.score(x_, s, squares);
     done = s.feasible();
     if (done) keep(score());
     if (s.violation > 0.9 * last) {
       if (moves-- <= 0) break;
       relocate();
+      jams.reset(x_);
       last = 1e300;
       continue;
     }

@@ -34,8 +34,6 @@ class Solver {
   template <class Sink>
   void project_boundary(double k, Sink& sink);
   Score score();
-  /// The part of the score that says whether a layout is feasible.
-  void score_violations(Score& s, double& squares);
   double total_gamma() const;
   void keep(const Score& s);
   /// Boundary and collisions alone, from where things are; the result counts when it is feasible.

@@ -1,5 +1,6 @@
 #include "io/formats/trajectories/hdf5.h"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "io/formats/trajectories/hdf5_handle.h"
@@ -135,6 +136,15 @@ TEST_CASE("HDF5 that is cut off anywhere is one clear error") {
   }
   CHECK(read == 0);
   CHECK(refusal("", {}, "a.h5") == "HDF5: the file is damaged or cut off");
+}
+
+TEST_CASE("HDF5 that sends the library round in circles is refused") {
+  std::string bytes = *read_file(std::string(INHABIT_SOURCE_DIR) + "/fuzz/corpus/trajectory_hdf5/small.h5");
+  // The heap of its texts: behind the head of 16 bytes, objects of no size follow each other for ever.
+  const std::size_t heap = bytes.find("GCOL");
+  REQUIRE(heap + 4096 <= bytes.size());
+  std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(heap) + 16, 4080, '\0');
+  CHECK(refusal(bytes) == "HDF5: the file is damaged: the HDF5 library could not cope with it");
 }
 
 TEST_CASE("HDF5 that promises more rows than it holds is refused before memory is asked for") {
