@@ -168,6 +168,14 @@ Intake place_population(const scene::Population& population, std::uint16_t route
   return intake;
 }
 
+void start_walking(std::span<const scene::Population> populations, std::span<const Intake> intakes, Agents& agents) {
+  INHABIT_ASSERT(populations.size() == intakes.size());
+  std::size_t i = 0;
+  for (std::size_t k = 0; k < populations.size(); ++k)
+    for (const std::size_t end = i + intakes[k].placed; i < end; ++i)
+      if (populations[k].walking) agents.vx[i] = agents.wish_x[i], agents.vy[i] = agents.wish_y[i];
+}
+
 std::optional<Vec2> point_inside(const World& world, const Ring& area) {
   if (area.size() < 3) return std::nullopt;
   const Bounds box = bounds(area);

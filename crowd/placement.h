@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <string>
 
 #include "crowd/agents.h"
@@ -24,6 +25,10 @@ std::vector<Vec2> grid_points(const scene::Population& population, std::uint64_t
 /// somebody too often; then hexagons hold more. Fewer than asked when no more fit.
 Intake place_population(const scene::Population& population, std::uint16_t route, const World& world,
                         std::uint64_t seed, std::uint32_t& next_id, Spots& spots, Agents& agents);
+
+/// Gives the people of populations that start walking their wishes as velocities. Requires: the agents are in the order
+/// in which the intakes placed them, one intake per population, and the planner has written their wishes.
+void start_walking(std::span<const scene::Population> populations, std::span<const Intake> intakes, Agents& agents);
 
 /// Any point of the floor inside the area, relative to the origin: its centre when that will do, else the middle-most
 /// of a lattice. Nothing when the area has no floor.

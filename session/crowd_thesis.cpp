@@ -129,15 +129,21 @@ Scene target_locomotion() {
   return scene;
 }
 
-Scene power_law_sparse() {
-  Scene scene = passing("power-law-sparse", {24, 28, 4.5}, {24, 28, 4.5}, Far::off, 320);
+namespace {
+
+/// The thesis's spacings are in the units of its solver, whose particles have radius 1 (4.2.3). With a radius of 0.5
+/// nobody would overlap at either spacing, and its figure 6.7 shows that they do at 3.3.
+Scene power_law(std::string name, double spacing, double seconds) {
+  Body body = game_body();
+  body.radius = {1, 1};
+  Scene scene = passing(std::move(name), {24, 28, spacing, body}, {24, 28, spacing, body}, Far::off, seconds);
   scene.crowd.model = PowerLawModel{};
   return scene;
 }
-Scene power_law_dense() {
-  Scene scene = passing("power-law-dense", {24, 28, 3.3}, {24, 28, 3.3}, Far::off, 240);
-  scene.crowd.model = PowerLawModel{};
-  return scene;
-}
+
+}  // namespace
+
+Scene power_law_sparse() { return power_law("power-law-sparse", 4.5, 320); }
+Scene power_law_dense() { return power_law("power-law-dense", 3.3, 240); }
 
 }  // namespace inhabit::session
