@@ -19,6 +19,8 @@ std::vector<BenchGroupRow> bench_groups() {
       {"files", "reading, writing, checking and drawing up to 100,000 objects", bench_files},
       {"rooms", "real homes, stripped and furnished again (needs the data folder)", bench_rooms},
       {"measures", "recordings of people measured, beside published curves (needs the data folder)", bench_measures},
+      {"emergence", "what crowds do by themselves: all arrive, lanes, arches, shapes (say --seeds 20)",
+       bench_emergence},
   };
 }
 

@@ -61,6 +61,7 @@ Result<BenchGroup> bench_memory(const BenchOptions& options);
 Result<BenchGroup> bench_files(const BenchOptions& options);
 Result<BenchGroup> bench_rooms(const BenchOptions& options);
 Result<BenchGroup> bench_measures(const BenchOptions& options);
+Result<BenchGroup> bench_emergence(const BenchOptions& options);
 
 /// One scene furnished from seeds 1 … `seeds`.
 struct BenchRuns {

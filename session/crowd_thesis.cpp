@@ -91,14 +91,14 @@ Scene dense_ellipsoid() {
   return scene;
 }
 
-/// Two groups of 50, ten deep and five wide, 1.1 m apart ("tightly packed"), 20 m between them, in a hallway of 8 m by
-/// 80 m: room for two groups beside each other and 2.5 m more. The measures are ours.
+/// Two groups of 50, ten deep and five wide, 1.1 m apart ("tightly packed"), 20 m between them, in a hallway of 12 m by
+/// 80 m: room for two groups beside each other and 1.2 m more. The measures are ours. In 8 m long range jams for ever.
 Scene proximal() {
   const double spacing = 1.1, front = 10, depth = 9 * spacing, side = 2 * spacing;
   Scene scene;
   scene.name = "proximal";
-  scene.space.outline = rectangle(-40, -4, 40, 4);
-  scene.crowd.goals = {area_goal("west", rectangle(-38, -4, -35, 4)), area_goal("east", rectangle(35, -4, 38, 4))};
+  scene.space.outline = rectangle(-40, -6, 40, 6);
+  scene.crowd.goals = {area_goal("west", rectangle(-38, -6, -35, 6)), area_goal("east", rectangle(35, -6, 38, 6))};
   Body body = game_body();
   body.goal = route_to({"east"});
   scene.crowd.populations.push_back(grid_of_people("from-west", {-front - depth, -side}, 10, 5, spacing, 0.02, body));
