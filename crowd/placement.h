@@ -22,7 +22,8 @@ std::vector<Vec2> grid_points(const scene::Population& population, std::uint64_t
 /// Adds a population's people to `agents`, with numbers from `next_id` on, and says how many. On a grid everybody
 /// stands on his point, or on the nearest free place when that is in a wall or on somebody; the budget of that search
 /// is limited, so that a hopeless population is refused in a second. At random, discs are thrown until they hit
-/// somebody too often; then hexagons hold more. Fewer than asked when no more fit.
+/// somebody too often; then they stand on the widest lattice of hexagons that holds them, disturbed. Fewer than asked
+/// when no more fit.
 Intake place_population(const scene::Population& population, std::uint16_t route, const World& world,
                         std::uint64_t seed, std::uint32_t& next_id, Spots& spots, Agents& agents);
 
