@@ -37,6 +37,7 @@ constexpr const char* kFooter =
     "  inhabit render walk.txt -o busiest.png --scene bottleneck-480\n"
     "  inhabit render walk.txt -o paths.svg --paths --color time\n"
     "  inhabit render ring.h5 -o diagram.pdf --space-time x --from 10 --until 60\n"
+    "  inhabit render passing.h5 -o lanes.png --color way --radius 0.5 --at 35\n"
     "  inhabit render walk.txt -o walk.mp4 --speed 2 --width 1920\n"
     "  inhabit render walk.txt -o frames/ --film-fps 10 --trail 3";
 
@@ -58,7 +59,8 @@ session::CrowdPictureJob picture_job(const Render& r) {
   if (r.trail_given->count() > 0) job.trail = r.trail;
   if (r.from_given->count() > 0) job.from = r.from;
   if (r.until_given->count() > 0) job.until = r.until;
-  job.by_time = r.color == "time";
+  using Color = session::CrowdPictureJob::Color;
+  job.color = r.color == "time" ? Color::time : r.color == "way" ? Color::way : Color::speed;
   job.pixels = r.options.pixels;
   return job;
 }
@@ -152,8 +154,8 @@ void add_people(CLI::App& verb, Render& r) {
   option(verb.add_option("--space-time", r.axis, "Trajectories: position along this axis against time")
              ->type_name("AXIS")
              ->check(CLI::IsMember({"x", "y"})));
-  option(verb.add_option("--color", r.color, "Trajectories: of lines, speed or time")
-             ->check(CLI::IsMember({"speed", "time"}))
+  option(verb.add_option("--color", r.color, "Trajectories: by speed, way (where each one goes) or, of lines, time")
+             ->check(CLI::IsMember({"speed", "way", "time"}))
              ->capture_default_str());
   r.from_given = option(verb.add_option("--from", r.from, "Trajectories: only from this second on"));
   r.until_given = option(verb.add_option("--until", r.until, "Trajectories: only up to this second"));

@@ -82,15 +82,15 @@ void throw_darts(Taker& taker, const Bounds& box, std::size_t count) {
   }
 }
 
-/// The points of the densest lattice of discs that are free, row by row.
-std::vector<Vec2> hexagon_points(const Taker& taker, const Bounds& box, double radius) {
+/// The free points of a lattice of hexagons, `pitch` from one to the next, row by row.
+std::vector<Vec2> hexagon_points(const Taker& taker, const Bounds& box, double radius, double pitch) {
   std::vector<Vec2> points;
-  const double wide = 2 * radius, high = wide * 0.8660254037844386;
+  const double high = pitch * 0.8660254037844386;
   const Vec2 size = box.size();
-  if (!(size.x / wide * (size.y / high) < kMostPoints)) return points;
+  if (!(size.x / pitch * (size.y / high) < kMostPoints)) return points;
   // The area may end at a wall, so the first discs stand a radius inside its box.
   for (int row = 0; box.min.y + radius + row * high <= box.max.y; ++row)
-    for (double x = box.min.x + radius * (row % 2 == 0 ? 1 : 2); x <= box.max.x; x += wide) {
+    for (double x = box.min.x + radius + (row % 2 == 0 ? 0 : pitch / 2); x <= box.max.x; x += pitch) {
       const Vec2 point{x, box.min.y + radius + row * high};
       if (!contains(taker.population.area, point)) continue;
       const Vec2 p = taker.relative(point);
@@ -98,6 +98,30 @@ std::vector<Vec2> hexagon_points(const Taker& taker, const Bounds& box, double r
         points.push_back(p);
     }
   return points;
+}
+
+struct Lattice {
+  std::vector<Vec2> points;
+  double play = 0;  ///< how far everybody may be moved so that half of each gap is left, metres
+};
+/// The widest lattice that holds so many, to a hundredth of a diameter; the densest there is when none does.
+Lattice widest_lattice(const Taker& taker, const Bounds& box, double radius, std::size_t count) {
+  const auto lattice = [&](int hundredths) {
+    const double pitch = 2 * radius * (1 + 0.01 * hundredths);
+    return Lattice{hexagon_points(taker, box, radius, pitch), (pitch / 2 - radius) / 2};
+  };
+  Lattice best = lattice(0);
+  // Whoever needs more room than half a diameter has it: darts could place everybody.
+  int holds = 0, fails = 51;
+  while (best.points.size() >= count && fails - holds > 1) {
+    const int middle = (holds + fails) / 2;
+    Lattice wider = lattice(middle);
+    if (wider.points.size() >= count)
+      best = std::move(wider), holds = middle;
+    else
+      fails = middle;
+  }
+  return best;
 }
 
 void place_at_random(Taker& taker, Intake& intake) {
@@ -112,7 +136,8 @@ void place_at_random(Taker& taker, Intake& intake) {
 
   const Spots with_darts = taker.spots;
   taker.spots.shrink(spots);
-  std::vector<Vec2> points = hexagon_points(taker, box, taker.population.radius.high);
+  Lattice lattice = widest_lattice(taker, box, taker.population.radius.high, intake.asked);
+  std::vector<Vec2>& points = lattice.points;
   if (points.size() <= thrown) {
     taker.spots = with_darts;
     return;
@@ -126,7 +151,13 @@ void place_at_random(Taker& taker, Intake& intake) {
   for (std::size_t k = 0; k < count; ++k) {
     std::swap(points[k], points[k + rng.index(static_cast<std::uint32_t>(points.size() - k))]);
     const Person person = make_person(taker.population, taker.seed, taker.next_id);
-    taker.place(person, static_cast<float>(points[k].x), static_cast<float>(points[k].y));
+    // Out of the lattice's rows, unless a wall or another population is there.
+    const Vec2 moved = points[k] + rng.uniform(0, lattice.play) * direction(rng.uniform(0, 2 * kPi));
+    const auto x = static_cast<float>(moved.x), y = static_cast<float>(moved.y);
+    if (taker.spots.free(x, y, person.radius) && contains(taker.population.area, moved + taker.world.origin))
+      taker.place(person, x, y);
+    else
+      taker.place(person, static_cast<float>(points[k].x), static_cast<float>(points[k].y));
   }
 }
 
@@ -166,6 +197,14 @@ Intake place_population(const scene::Population& population, std::uint16_t route
   }
   intake.placed = agents.size() - before;
   return intake;
+}
+
+void start_walking(std::span<const scene::Population> populations, std::span<const Intake> intakes, Agents& agents) {
+  INHABIT_ASSERT(populations.size() == intakes.size());
+  std::size_t i = 0;
+  for (std::size_t k = 0; k < populations.size(); ++k)
+    for (const std::size_t end = i + intakes[k].placed; i < end; ++i)
+      if (populations[k].walking) agents.vx[i] = agents.wish_x[i], agents.vy[i] = agents.wish_y[i];
 }
 
 std::optional<Vec2> point_inside(const World& world, const Ring& area) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <span>
 #include <string>
 
 #include "crowd/agents.h"
@@ -21,9 +22,14 @@ std::vector<Vec2> grid_points(const scene::Population& population, std::uint64_t
 /// Adds a population's people to `agents`, with numbers from `next_id` on, and says how many. On a grid everybody
 /// stands on his point, or on the nearest free place when that is in a wall or on somebody; the budget of that search
 /// is limited, so that a hopeless population is refused in a second. At random, discs are thrown until they hit
-/// somebody too often; then hexagons hold more. Fewer than asked when no more fit.
+/// somebody too often; then they stand on the widest lattice of hexagons that holds them, disturbed. Fewer than asked
+/// when no more fit.
 Intake place_population(const scene::Population& population, std::uint16_t route, const World& world,
                         std::uint64_t seed, std::uint32_t& next_id, Spots& spots, Agents& agents);
+
+/// Gives the people of populations that start walking their wishes as velocities. Requires: the agents are in the order
+/// in which the intakes placed them, one intake per population, and the planner has written their wishes.
+void start_walking(std::span<const scene::Population> populations, std::span<const Intake> intakes, Agents& agents);
 
 /// Any point of the floor inside the area, relative to the origin: its centre when that will do, else the middle-most
 /// of a lattice. Nothing when the area has no floor.

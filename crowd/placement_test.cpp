@@ -33,9 +33,9 @@ Placed place(const scene::Scene& scene, std::uint64_t seed = 1) {
   return placed;
 }
 
-/// How deep the worst pair overlaps, as a share of its radii; and the worst reach into a wall, metres.
+/// How deep the worst pair overlaps, as a share of its radii; below 0 when nobody touches anybody.
 double worst_overlap(const Placed& p) {
-  double worst = 0;
+  double worst = -1;
   const Agents& a = p.agents;
   for (std::size_t i = 0; i < a.size(); ++i) {
     CHECK(clear_of_walls(p.world.walls, a.x[i], a.y[i], a.radius[i]));
@@ -138,7 +138,8 @@ TEST_CASE("more people than darts can place are packed in hexagons and the rest 
   scene.crowd.populations = {people};
   const Placed packed = place(scene);
   CHECK(packed.intakes[0].placed == 90);
-  CHECK(worst_overlap(packed) <= kTouch + 1e-6);
+  // 25 m² for 90 are hexagons 0.566 m apart but for the rim, and half of the gap is left: they do not start pressed.
+  CHECK(worst_overlap(packed) < -0.015);
   scene.crowd.populations[0].count = 1000;
   const Placed full = place(scene);
   CHECK(full.intakes[0].asked == 1000);

@@ -188,6 +188,10 @@ Result<Simulation> Simulation::make(const scene::Scene& scene, const Settings& s
     state->gates.emplace_back(crowd.sources[k], book->of_source[k], state->world, state->seed, k);
   if (Status s = state->check_sources(crowd); !s) return s.error();
   if (Status s = state->place(crowd, *book); !s) return s.error();
+  if (std::ranges::any_of(crowd.populations, &scene::Population::walking)) {
+    state->planner->aim(state->agents, settings.threads);
+    start_walking(crowd.populations, state->intakes, state->agents);
+  }
   return Simulation(std::move(state));
 }
 

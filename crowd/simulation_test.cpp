@@ -98,6 +98,26 @@ TEST_CASE("the same seed gives the same bytes at any number of threads with ever
   }
 }
 
+TEST_CASE("populations that start walking have their wish as velocity before the first step and the others none") {
+  scene::Scene scene = corridor();
+  scene.crowd.populations.push_back(grid_of("resting", rectangle(17, 1, 20, 5), 1, "west"));
+  scene.crowd.populations[0].walking = true;
+  Result<Simulation> simulation = Simulation::make(scene, {});
+  REQUIRE(simulation.ok());
+  const Agents& agents = simulation->agents();
+  REQUIRE(simulation->intakes()[0].placed == 30);
+  REQUIRE(agents.size() == 42);
+  for (std::size_t i = 0; i < agents.size(); ++i) {
+    const double speed = std::hypot(agents.vx[i], agents.vy[i]);
+    CHECK(speed == doctest::Approx(i < 30 ? agents.preferred_speed[i] : 0).epsilon(1e-6));
+    if (i < 30) CHECK(agents.vx[i] > 0);
+  }
+  // Who starts at rest is slower after a step: alpha = dt / xi is far from 1.
+  simulation->step();
+  for (std::size_t i = 0; i < agents.size(); ++i)
+    CHECK((std::hypot(agents.vx[i], agents.vy[i]) > 0.5) == (agents.id[i] < 30));
+}
+
 TEST_CASE("another seed gives other people") {
   const scene::Scene scene = corridor();
   Settings settings;

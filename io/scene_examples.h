@@ -51,7 +51,7 @@ inline constexpr std::string_view kFullScene = R"({
   "house_rules": true,
   "crowd": {
     "populations": [{"id": "west", "count": 800, "area": [[0, 0], [20, 0], [20, 40], [0, 40]], "spacing": 2.5,
-                     "jitter": 0.25, "radius": [0.5, 0.75], "mass": 2,
+                     "jitter": 0.25, "walking": true, "radius": [0.5, 0.75], "mass": 2,
                      "speed": {"mean": 1.4, "deviation": 0.1, "maximum": 2}, "goal": "east", "x-c": null},
                     {"area": [[0, 0], [1, 0], [0, 1]], "count": 3, "goal": ["shop", ["east", "shop"], "away"]}],
     "sources": [{"id": "entrance", "area": [[0, 0], [1, 0], [1, 2], [0, 2]], "rate": 2.0, "arrivals": "poisson",

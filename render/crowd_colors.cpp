@@ -13,15 +13,23 @@ int CrowdScale::level(double value) const {
   return std::min(static_cast<int>(kCrowdLevels * std::min((value - low) / (high - low), 1.0)), kCrowdLevels - 1);
 }
 
+double value(const Walks& walks, PathColor color, std::size_t k, std::size_t n) {
+  if (color == PathColor::time) return walks.time(walks.fix(walks.track(k)[n]));
+  return color == PathColor::way ? way_of(walks, k) : speed_at(walks, k, n);
+}
+
 CrowdScale crowd_scale(const Walks& walks, const CrowdPictureOptions& options) {
   if (options.color == PathColor::time) return {PathColor::time, walks.begin, walks.end};
+  if (options.color == PathColor::way) return {PathColor::way, -180, 180};
   return {PathColor::speed, 0, options.fastest};
 }
 
 Color crowd_color(PathColor color, int level) {
   constexpr std::uint32_t kSpeed[] = {0xb01030, 0xe0632f, 0xe2b030, 0x3fa67a, 0x2379a8, 0x2b3f8f};
   constexpr std::uint32_t kTime[] = {0x2c0f58, 0x6b1d81, 0xb13679, 0xe8605c, 0xf5a24a, 0xe5cf3f};
-  const std::uint32_t* stops = color == PathColor::speed ? kSpeed : kTime;
+  // A ring: west at both ends, east (the middle) between the third and the fourth.
+  constexpr std::uint32_t kWay[] = {0x2379a8, 0x7b4fa3, 0xd8452f, 0xe8963a, 0x55a24b, 0x2379a8};
+  const std::uint32_t* stops = color == PathColor::speed ? kSpeed : color == PathColor::time ? kTime : kWay;
   const double at = 5.0 * std::clamp(level, 0, kCrowdLevels - 1) / (kCrowdLevels - 1);
   const int k = std::min(static_cast<int>(at), 4);
   const Color a = rgb(stops[k]), b = rgb(stops[k + 1]);
@@ -40,9 +48,18 @@ void draw_crowd_legend(Drawing& drawing, const CrowdScale& scale, Vec2 at) {
          crowd_color(scale.color, k));
   }
   const bool speed = scale.color == PathColor::speed;
-  write(drawing, {speed ? "speed [m/s]" : "time [s]", {left - 10, at.y + kHigh}, kText, ink::kText, Anchor::end});
+  const bool way = scale.color == PathColor::way;
+  write(drawing, {speed ? "speed [m/s]"
+                  : way ? "way [°]"
+                        : "time [s]",
+                  {left - 10, at.y + kHigh},
+                  kText,
+                  ink::kText,
+                  Anchor::end});
   if (!(scale.high > scale.low)) return;
-  for (const double t : nice_ticks(scale.low, scale.high, 4)) {
+  const std::vector<double> ticks =
+      way ? std::vector<double>{-180, -90, 0, 90, 180} : nice_ticks(scale.low, scale.high, 4);
+  for (const double t : ticks) {
     const double share = (t - scale.low) / (scale.high - scale.low);
     if (share < -1e-9 || share > 1 + 1e-9) continue;
     const bool most = speed && share > 1 - 1e-9;

@@ -11,8 +11,10 @@ struct CrowdScale {
   double low = 0, high = 2;
   int level(double value) const;
 };
+/// What a scale colours: of the n-th fix of person `k`.
+double value(const Walks& walks, PathColor color, std::size_t k, std::size_t n);
 CrowdScale crowd_scale(const Walks& walks, const CrowdPictureOptions& options);
-/// Speed: red stands, blue is fast. Time: dark to light.
+/// Speed: red stands, blue is fast. Time: dark to light. Way: round the compass, east orange, west blue.
 Color crowd_color(PathColor color, int level);
 /// A bar of the colours with its numbers, `at` its upper right corner.
 void draw_crowd_legend(Drawing& drawing, const CrowdScale& scale, Vec2 at);
@@ -36,7 +38,7 @@ std::vector<Path> colored_tracks(const Walks& walks, const CrowdScale& scale, co
         continue;
       }
       if (length(p - last) < kNear && n + 1 < track.size()) continue;
-      const int now = scale.level(scale.color == PathColor::time ? walks.time(fix) : speed_at(walks, k, n));
+      const int now = scale.level(value(walks, scale.color, k, n));
       if (now != level) paths[static_cast<std::size_t>(now)].move(last);
       paths[static_cast<std::size_t>(now)].line(p);
       level = now, last = p;

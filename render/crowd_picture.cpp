@@ -11,6 +11,12 @@
 namespace inhabit::render {
 namespace {
 
+/// A moment has one time only.
+CrowdPictureOptions of_moment(CrowdPictureOptions options) {
+  if (options.color == PathColor::time) options.color = PathColor::speed;
+  return options;
+}
+
 constexpr int kFades = 5;  // parts of a trail, each fainter than the one before
 // Points: people with a smaller radius are drawn as squares of about their width at that radius; smaller ones would
 // make a haze of a hundred thousand.
@@ -56,8 +62,8 @@ void draw_trails(Drawing& drawing, const Walks& walks, const CrowdPage& page, co
 
 /// Discs, or dots. Many are drawn as one shape for each colour, few one by one, so that those who overlap are told
 /// apart.
-void draw_bodies(Drawing& drawing, const CrowdPage& page, const CrowdScale& scale, const std::vector<Walker>& walkers,
-                 double radius) {
+void draw_bodies(Drawing& drawing, const CrowdPage& page, const Walks& walks, const CrowdScale& scale,
+                 const std::vector<Walker>& walkers, double radius) {
   constexpr std::size_t kFew = 3000;
   const auto put = [&](Path path, int level) {
     Style style{.fill = crowd_color(scale.color, level)};
@@ -68,7 +74,7 @@ void draw_bodies(Drawing& drawing, const CrowdPage& page, const CrowdScale& scal
   for (const Walker& walker : walkers) {
     const Vec2 p = page.frame.page(walker.at);
     if (!on_page(p, drawing.size)) continue;
-    const int level = scale.level(walker.speed);
+    const int level = scale.level(scale.color == PathColor::way ? way_of(walks, walker.person) : walker.speed);
     Path& path = levels[static_cast<std::size_t>(level)];
     if (radius < kDot)
       square(path, p, 0.85 * kDot);
@@ -94,15 +100,13 @@ Drawing draw_walkers(const Walks& walks, const CrowdPage& page, double time, con
   const bool dots = radius < kDot;
   const double trail = options.trail.value_or(dots ? 0 : 1);
   if (trail > 0) draw_trails(drawing, walks, page, walkers, time, trail, std::clamp(0.35 * radius, 0.6, 3.0));
-  draw_bodies(drawing, page, {PathColor::speed, 0, options.fastest}, walkers, radius);
+  draw_bodies(drawing, page, walks, crowd_scale(walks, of_moment(options)), walkers, radius);
   draw_stamp(drawing, page, time, walkers.size());
   return drawing;
 }
 
 Drawing draw_moment(const Walks& walks, double time, const CrowdPictureOptions& options) {
-  CrowdPictureOptions by_speed = options;
-  by_speed.color = PathColor::speed;
-  CrowdPage page = crowd_page(walks, by_speed);
+  CrowdPage page = crowd_page(walks, of_moment(options));
   Drawing people = draw_walkers(walks, page, time, options);
   Drawing drawing = std::move(page.ground);
   for (auto& item : people.items) drawing.items.push_back(std::move(item));

@@ -113,6 +113,24 @@ TEST_CASE("paths and space against time have one line for each steady walker") {
   CHECK(parts(drawing, crowd_color(PathColor::time, kCrowdLevels - 1), false) == 5);
 }
 
+TEST_CASE("by their ways two groups that pass have a colour each and west is the same from either side") {
+  scene::Trajectories t;
+  for (int frame = 0; frame < 3; ++frame)
+    for (int k = 0; k < 4; ++k) {
+      const double sign = k < 2 ? 1 : -1, aside = k < 2 ? 0 : k == 2 ? 1e-6 : -1e-6;
+      t.fixes.push_back({frame, k, sign * frame, k + aside * frame});
+    }
+  const Walks walks = walks_of(t);
+  CrowdPictureOptions options;
+  options.color = PathColor::way;
+  const Color east = crowd_color(PathColor::way, CrowdScale{PathColor::way, -180, 180}.level(0));
+  const Color west = crowd_color(PathColor::way, 0);
+  CHECK(west == crowd_color(PathColor::way, kCrowdLevels - 1));
+  const Drawing moment = draw_moment(walks, 1.0 / 24, options);
+  CHECK(std::pair(parts(moment, west, true), parts(draw_paths(walks, options), west, false)) == std::pair(4ul, 2ul));
+  CHECK(parts(draw_paths(walks, options), east, false) == 2);
+}
+
 TEST_CASE("a picture of nobody is a picture") {
   const scene::Trajectories nobody;
   const Walks walks = walks_of(nobody);

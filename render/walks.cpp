@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/angle.h"
+
 namespace inhabit::render {
 namespace {
 
@@ -92,6 +94,12 @@ std::vector<Walker> walkers_at(const Walks& walks, double time) {
     out.push_back({k, *at, speed_at(walks, k, n)});
   }
   return out;
+}
+
+double way_of(const Walks& walks, std::size_t k) {
+  const auto track = walks.track(k);
+  const Vec2 way = walks.fix(track.back()).at() - walks.fix(track.front()).at();
+  return degrees(std::atan2(way.y, way.x));
 }
 
 }  // namespace inhabit::render

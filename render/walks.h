@@ -36,5 +36,7 @@ std::vector<Walker> walkers_at(const Walks& walks, double time);
 std::optional<Vec2> position_at(const Walks& walks, std::size_t k, double time);
 /// Speed of the n-th fix of person `k`, m/s, from fixes up to half a second away.
 double speed_at(const Walks& walks, std::size_t k, std::size_t n);
+/// Direction from the first to the last position of person `k`, degrees in (-180, 180]; 0 for who ends where he began.
+double way_of(const Walks& walks, std::size_t k);
 
 }  // namespace inhabit::render

@@ -40,7 +40,8 @@ struct Population : Body {
   std::optional<int> count;  ///< absent: one on every point of the grid
   Ring area;
   std::optional<double> spacing;
-  double jitter = 0;  ///< each coordinate is moved by up to this much either way
+  double jitter = 0;     ///< each coordinate is moved by up to this much either way
+  bool walking = false;  ///< start with the velocity that they like, towards their goal, instead of at rest
   Extras extras;
   friend bool operator==(const Population&, const Population&) = default;
 };

@@ -18,8 +18,12 @@ std::vector<BenchGroupRow> bench_groups() {
       {"memory", "bytes per object beyond the scene", bench_memory},
       {"files", "reading, writing, checking and drawing up to 100,000 objects", bench_files},
       {"rooms", "real homes, stripped and furnished again (needs the data folder)", bench_rooms},
-      {"crowd", "times and overlaps of crowds beside published ones, growth, roofline", bench_crowd},
-      {"measures", "recordings of people measured, beside published curves (needs the data folder)", bench_measures},
+      {"crowd", "times and overlaps of crowds beside published ones, growth, roofline", bench_crowd,
+       BenchGroupRow::people},
+      {"measures", "recordings of people measured, beside published curves (needs the data folder)", bench_measures,
+       BenchGroupRow::people},
+      {"emergence", "what crowds do by themselves: all arrive, lanes, arches, shapes (say --seeds 20)", bench_emergence,
+       BenchGroupRow::people},
   };
 }
 

@@ -44,6 +44,7 @@ struct BenchGroup {
 struct BenchGroupRow {
   std::string_view name, sentence;
   Result<BenchGroup> (*run)(const BenchOptions&);
+  enum Subject { layout, people } subject = layout;  ///< "layout" stands for every group of the first
 };
 /// Every group there is, in the order in which they run.
 std::vector<BenchGroupRow> bench_groups();
@@ -65,6 +66,7 @@ Result<BenchGroup> bench_files(const BenchOptions& options);
 Result<BenchGroup> bench_rooms(const BenchOptions& options);
 Result<BenchGroup> bench_measures(const BenchOptions& options);
 Result<BenchGroup> bench_crowd(const BenchOptions& options);
+Result<BenchGroup> bench_emergence(const BenchOptions& options);
 
 /// One scene furnished from seeds 1 … `seeds`.
 struct BenchRuns {

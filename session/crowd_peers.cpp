@@ -4,7 +4,8 @@
 namespace inhabit::session {
 namespace {
 
-/// Everybody wants 1.4 m/s and can do 2: what all compared programs were given.
+/// Everybody wants 1.4 m/s and can do 2: what all compared programs were given. Their people start with the velocity
+/// that they like.
 Body peers_body() {
   Body body = game_body();
   body.speed = {1.4, 0, 2};
@@ -25,8 +26,9 @@ constexpr double kCorridor = 20, kJamSpacing = 1.5, kJamJitter = 0.1, kFront = 5
 /// wall. While somebody is before the wall, he heads for the nearest point of a line half a metre behind it, 0.75 m
 /// shorter at either end than the corridor is wide; then straight on.
 ///
-/// The peers' people walk on for ever. The thesis's arrive 5 m behind the corridor, walk at 1.4 +- 0.1 m/s and look
-/// at contacts only; it prints neither the width of its corridor nor how its people stand, so they do as the peers'.
+/// The peers' people walk from the start and on for ever. The thesis's stand at first, arrive 5 m behind the corridor,
+/// walk at 1.4 +- 0.1 m/s and look at contacts only; it prints neither the width of its corridor nor how its people
+/// stand, so they do as the peers'.
 Scene bottleneck(BottleneckOf whose, int people) {
   const bool thesis = whose == BottleneckOf::thesis;
   const Jam* jam = kJams;
@@ -46,6 +48,7 @@ Scene bottleneck(BottleneckOf whose, int people) {
   body.goal = route_to({"mouth", thesis ? "out" : "on"});
   scene.crowd.populations = {grid_of_people("crowd", {-kFront - depth, -(jam->rows - 1) * kJamSpacing / 2},
                                             jam->columns, jam->rows, kJamSpacing, kJamJitter, body)};
+  scene.crowd.populations[0].walking = !thesis;
   scene.crowd.model = game_model(thesis ? Far::off : Far::long_range);
   scene.crowd.planner = Planner::straight;
   scene.crowd.seconds = jam->seconds;
@@ -67,6 +70,7 @@ Scene peers_passing(int people) {
       grid_of_people("from-west", {-front - depth, -side}, columns, rows, spacing, jitter, body));
   body.goal = route_to({"west"});
   scene.crowd.populations.push_back(grid_of_people("from-east", {front, -side}, columns, rows, spacing, jitter, body));
+  for (Population& block : scene.crowd.populations) block.walking = true;
   scene.crowd.model = game_model(Far::long_range);
   scene.crowd.planner = Planner::straight;
   scene.crowd.seconds = 30;
@@ -85,6 +89,7 @@ Scene peers_crush() {
   Body body = peers_body();
   body.goal = route_to({"centre"});
   scene.crowd.populations = {grid_of_people("crowd", {-x, -y}, 296, 338, spacing, 0.02, body)};
+  scene.crowd.populations[0].walking = true;
   scene.crowd.model = game_model(Far::long_range);
   scene.crowd.planner = Planner::straight;
   scene.crowd.seconds = 10;

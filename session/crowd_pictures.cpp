@@ -28,7 +28,9 @@ render::CrowdPictureOptions picture_options(const scene::Trajectories& trajector
   if (options.title.empty() && job.scene) options.title = job.scene->name;
   options.radius = job.radius;
   options.trail = job.trail;
-  options.color = job.by_time ? render::PathColor::time : render::PathColor::speed;
+  options.color = job.color == CrowdPictureJob::Color::time  ? render::PathColor::time
+                  : job.color == CrowdPictureJob::Color::way ? render::PathColor::way
+                                                             : render::PathColor::speed;
   return options;
 }
 

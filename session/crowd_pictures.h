@@ -16,8 +16,9 @@ struct CrowdPictureJob {
   std::optional<double> from, until;  ///< only this part, seconds
   std::optional<double> trail;        ///< seconds of path behind everybody; absent: 1, none behind mere dots
   double radius = 0.25;               ///< metres
-  bool by_time = false;               ///< paths are coloured by time instead of by speed
-  int pixels = 1600;                  ///< long side of a PNG
+  enum class Color { speed, time, way };
+  Color color = Color::speed;  ///< time: of paths only; way: the direction of everybody's whole way in this part
+  int pixels = 1600;           ///< long side of a PNG
 };
 /// A picture as bytes, in the format that the file name says. Errors: nobody is in the part, `at` is outside it.
 Result<std::string> crowd_picture(const scene::Trajectories& trajectories, std::string_view file_name,

@@ -106,6 +106,14 @@ TEST_CASE("the thesis's scenes have the published numbers of people") {
   CHECK(people("peers-crush") == 100048);
 }
 
+TEST_CASE("the peers' people start walking and the thesis's at rest") {
+  for (const CrowdScene& crowd : crowd_scenes()) {
+    CAPTURE(crowd.name);
+    const Scene scene = crowd.build();
+    for (const Population& people : scene.crowd.populations) CHECK(people.walking == crowd.name.starts_with("peers-"));
+  }
+}
+
 TEST_CASE("the peers' rows stand where the others' stood") {
   const Scene jam = scene_of("peers-bottleneck-3600");
   // Cell centres: the front row is 5 m before the wall, a block of 60 rows lies about the corridor's middle.

@@ -68,7 +68,6 @@ struct Camera {
 Result<Camera> set_up(const render::Walks& walks, const scene::Trajectories& part, const FilmJob& job) {
   Camera camera{walks, job, picture_options(part, job.picture), {}, {}};
   render::CrowdPictureOptions& options = camera.options;
-  options.color = render::PathColor::speed;
   options.fixed_width = true;
   options.width = 1000, options.height = 562.5;
   camera.page = render::crowd_page(walks, options);

@@ -11,3 +11,5 @@ for when in before after; do
 done
 "$inhabit" furnish tight-bedroom --variants 6 -q --png out/tight-bedroom.png
 cp out/tight-bedroom.png docs/pictures/tight-bedroom.png
+
+tools/make_crowd_pictures.sh

@@ -14,7 +14,8 @@ struct Effort {
 
 /// Position-based crowds (thesis ch. 4, algorithm 2), with the printed errors corrected and these deviations, each for
 /// speed or depth of overlap (docs/crowds.md has the figures):
-///   - a step is cut into eight sub-steps of one iteration, over-relaxed by 1.8, that share their neighbours, instead of
+///   - a step is cut into eight sub-steps of one iteration, over-relaxed by 1.8, that share their neighbours, instead
+///   of
 ///     six iterations of one step over-relaxed by 1.2: many small steps beat many iterations; so radii need to grow by
 ///     2 % only, not 5 %;
 ///   - neighbours are found with a skin and kept while nobody has moved through half of it, about ten steps;

@@ -158,7 +158,7 @@ void find_neighbours(Work& work, const Grid& grid, const Reach& reach, std::size
   // Collected elsewhere first, so that the chunk gets no more room than it needs: that is a third of all memory.
   thread_local NeighbourRows contact_rows, far_rows;
   contact_rows.items.clear(), far_rows.items.clear();
-  contact_rows.first[0] = far_rows.first[0] = 0;
+  contact_rows.first.fill(0), far_rows.first.fill(0);
   std::array<Candidates, kLanes> contacts, far;
   for (std::size_t b = 0; b < work.blocks_of(chunk); ++b) {
     const std::size_t first = chunk * kChunk + b * kLanes;

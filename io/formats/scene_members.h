@@ -192,7 +192,9 @@ struct Table<Population> {
           Member{"spacing",
                  &Population::spacing,
                  {"side of the square grid they stand on; at random when absent", "m", 0.01, 1e4}},
-          Member{"jitter", &Population::jitter, {"each coordinate moved by up to this much either way", "m", 0, 1e4}}},
+          Member{"jitter", &Population::jitter, {"each coordinate moved by up to this much either way", "m", 0, 1e4}},
+          Member{
+              "walking", &Population::walking, {"start as fast as they like, towards their goal; at rest when false"}}},
       Table<Body>::members);
   static constexpr std::array<std::string_view, 2> needs_one_of = {"count", "spacing"};
   static constexpr std::array only_with = {OnlyWith{"jitter", "spacing"}};

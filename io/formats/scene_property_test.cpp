@@ -131,7 +131,7 @@ class RandomScene {
     for (std::uint32_t i = rng_.index(3); i > 0; --i) {
       Population& p = c.populations.emplace_back();
       static_cast<Body&>(p) = body(c);
-      p.id = id(), p.area = star({-9, 3}, 2), p.extras = extras();
+      p.id = id(), p.area = star({-9, 3}, 2), p.walking = coin(), p.extras = extras();
       if (coin()) p.count = static_cast<int>(rng_.index(1000));
       if (!p.count || coin()) p.spacing = rng_.uniform(0.1, 9), p.jitter = rng_.uniform();
     }

@@ -127,9 +127,12 @@ class SceneReader : public ValueReader {
   bool read(JsonValue v, std::optional<T>& out, const Spec& spec) {
     return read(v, out.emplace(), spec);
   }
-  // The condition stands behind the parameters: before them, clang takes this for the enumerations' read() and hides that.
+  // The condition stands behind the parameters: before them, clang takes this for the enumerations' read() and hides
+  // that.
   template <class T>
-  bool read(JsonValue v, T& out, const Spec&) requires HasTable<T> { return read_object(v, out); }
+  bool read(JsonValue v, T& out, const Spec&) requires HasTable<T> {
+    return read_object(v, out);
+  }
   template <class T>
   requires HasTable<T>
   bool read(JsonValue v, std::vector<T>& out, const Spec& spec) {
