@@ -1,5 +1,7 @@
 #include "crowd/models/pbd_kernels.h"
 
+#include <bit>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "crowd/models/pbd_kernels.cpp"
 #include <hwy/foreach_target.h>
@@ -165,18 +167,35 @@ HWY_INLINE Pair blended(const Constants& k, Pair v, Pair wish) {
   return scaled(set(1 - k.blend), v) + scaled(set(k.blend), wish);
 }
 
-/// True when somebody of the row comes within `reach` of the grown discs of the agents of a block.
-HWY_INLINE bool comes_near(const Work& work, const Constants& k, std::size_t first, const std::int32_t* row,
-                           float stride) {
-  for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(kD)) {
-    const VI index = hn::Add(hn::Set(kDI, static_cast<std::int32_t>(first + lane)), hn::Iota(kDI, 0));
-    const VI other = hn::Load(kDI, row + lane);
-    const Pair d = load(work.at, first + lane) - gather(work.at, other);
-    const V reach = hn::Add(reach_of(work, self_at(work, index, first + lane), other, k.growth), set(stride));
-    const M near = hn::AndNot(hn::RebindMask(kD, hn::Eq(index, other)), hn::Lt(dot(d, d), hn::Mul(reach, reach)));
-    if (!hn::AllFalse(kD, near)) return true;
+/// Adds those of a block's rows that come within `stride` of the grown discs to the rows of `near`: each agent's own
+/// one below the other, so that there are as many rows as the one with the most has.
+HWY_INLINE std::uint32_t keep_near(const Work& work, const Constants& k, std::size_t first, const std::int32_t* rows,
+                                   std::uint32_t count, float stride, IndexArray& near) {
+  const std::size_t begin = near.size();
+  std::array<std::uint32_t, kLanes> kept{};
+  std::uint32_t most = 0;
+  for (std::uint32_t r = 0; r < count; ++r) {
+    for (std::size_t lane = 0; lane < kLanes; lane += hn::Lanes(kD)) {
+      const VI index = hn::Add(hn::Set(kDI, static_cast<std::int32_t>(first + lane)), hn::Iota(kDI, 0));
+      const VI other = hn::Load(kDI, rows + r * kLanes + lane);
+      const Pair d = load(work.at, first + lane) - gather(work.at, other);
+      const V reach = hn::Add(reach_of(work, self_at(work, index, first + lane), other, k.growth), set(stride));
+      const M mask = hn::AndNot(hn::RebindMask(kD, hn::Eq(index, other)), hn::Lt(dot(d, d), hn::Mul(reach, reach)));
+      std::array<std::uint8_t, 8> bytes{};
+      hn::StoreMaskBits(kD, mask, bytes.data());
+      for (std::uint32_t bits = bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8; bits != 0; bits &= bits - 1) {
+        const std::size_t l = lane + static_cast<std::size_t>(std::countr_zero(bits));
+        if (kept[l] == most) {
+          const std::size_t row = begin + most * kLanes;
+          near.resize(row + kLanes);
+          for (std::size_t own = 0; own < kLanes; ++own) near[row + own] = static_cast<std::int32_t>(first + own);
+          ++most;
+        }
+        near[begin + kept[l]++ * kLanes + l] = rows[r * kLanes + l];
+      }
+    }
   }
-  return false;
+  return most;
 }
 
 void narrow(Work& work, const Constants& k, std::size_t chunk) {
@@ -186,15 +205,10 @@ void narrow(Work& work, const Constants& k, std::size_t chunk) {
   c.busy_count = 0;
   const float stride = 2 * k.stride, far = 2 * (k.moved + k.stride);
   for (std::size_t b = 0; b < work.blocks_of(chunk); ++b) {
-    std::uint32_t kept = 0;
-    if (c.gap[b] <= far) {
-      for (std::uint32_t r = c.contacts.first[b]; r < c.contacts.first[b + 1]; ++r) {
-        const std::int32_t* row = c.contacts.items.data() + r * kLanes;
-        if (!comes_near(work, k, chunk * kChunk + b * kLanes, row, stride)) continue;
-        c.near.items.insert(c.near.items.end(), row, row + kLanes);
-        ++kept;
-      }
-    }
+    const std::int32_t* rows = c.contacts.items.data() + c.contacts.first[b] * kLanes;
+    const std::uint32_t count = c.contacts.first[b + 1] - c.contacts.first[b];
+    const std::uint32_t kept =
+        c.gap[b] <= far ? keep_near(work, k, chunk * kChunk + b * kLanes, rows, count, stride, c.near.items) : 0;
     c.near.first[b + 1] = c.near.first[b] + kept;
     c.busy[b] = kept > 0 || c.gap[b] < 0;
     c.busy_count += c.busy[b];
@@ -258,9 +272,9 @@ void predict(Work& work, const Constants& k, std::size_t chunk) {
 /// [Macklin14 eq. 23, 24].
 HWY_INLINE Pair rubbed(const Constants& k, const Contact& c, Pair u) {
   const Pair t = u - scaled(dot(u, c.n), c.n);
-  const V slid = hn::Sqrt(dot(t, t));
-  const V kinetic = hn::Min(hn::Div(hn::Mul(set(k.kinetic_friction), c.depth), hn::Max(slid, set(1e-12f))), set(1));
-  return scaled(hn::IfThenElse(hn::Lt(slid, hn::Mul(set(k.static_friction), c.depth)), set(1), kinetic), t);
+  const V square = hn::Max(dot(t, t), set(1e-24f)), still = hn::Mul(set(k.static_friction), c.depth);
+  const V kinetic = hn::Min(hn::Mul(hn::Mul(set(k.kinetic_friction), c.depth), inverse_root(square)), set(1));
+  return scaled(hn::IfThenElse(hn::Lt(square, hn::Mul(still, still)), set(1), kinetic), t);
 }
 
 void project(Work& work, const Constants& k, std::size_t chunk) {

@@ -217,17 +217,22 @@ void narrow(Work& work, const Constants& k, std::size_t chunk) {
   c.near = {};
   c.busy_count = 0;
   for (std::size_t b = 0; b < work.blocks_of(chunk); ++b) {
-    for (std::uint32_t r = c.contacts.first[b]; r < c.contacts.first[b + 1]; ++r) {
-      const auto row = c.contacts.items.begin() + r * kLanes;
-      bool near = false;
-      for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const std::size_t i = chunk * kChunk + b * kLanes + lane, j = static_cast<std::size_t>(row[lane]);
-        const Vec d = at(work.at, i) - at(work.at, j);
-        const float reach = reach_of(work, i, j, k.growth) + 2 * k.stride;
-        near = near || (i != j && dot(d, d) < reach * reach);
+    std::array<std::vector<std::int32_t>, kLanes> lists;
+    std::size_t most = 0;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const std::size_t i = chunk * kChunk + b * kLanes + lane;
+      for (std::uint32_t r = c.contacts.first[b]; r < c.contacts.first[b + 1]; ++r) {
+        const std::int32_t j = c.contacts.items[r * kLanes + lane];
+        const Vec d = at(work.at, i) - at(work.at, static_cast<std::size_t>(j));
+        const float reach = reach_of(work, i, static_cast<std::size_t>(j), k.growth) + 2 * k.stride;
+        if (i != static_cast<std::size_t>(j) && dot(d, d) < reach * reach) lists[lane].push_back(j);
       }
-      if (near) c.near.items.insert(c.near.items.end(), row, row + kLanes);
+      most = std::max(most, lists[lane].size());
     }
+    for (std::size_t r = 0; r < most; ++r)
+      for (std::size_t lane = 0; lane < kLanes; ++lane)
+        c.near.items.push_back(r < lists[lane].size() ? lists[lane][r]
+                                                      : static_cast<std::int32_t>(chunk * kChunk + b * kLanes + lane));
     c.near.first[b + 1] = static_cast<std::uint32_t>(c.near.items.size() / kLanes);
     c.busy[b] = c.near.first[b + 1] > c.near.first[b] || c.gap[b] < 0;
     c.busy_count += c.busy[b];
@@ -291,9 +296,9 @@ void project(Work& work, const Constants& k, std::size_t chunk) {
       if (k.static_friction > 0 || k.kinetic_friction > 0) {
         const Vec u = moved(i) - moved(j);
         const Vec t = u - dot(u, c.n) * c.n;
-        const float slid = norm(t);
-        const float kinetic = std::min(k.kinetic_friction * c.depth / std::max(slid, 1e-12f), 1.0f);
-        correction = correction - (slid < k.static_friction * c.depth ? 1.0f : kinetic) * t;
+        const float square = std::max(dot(t, t), 1e-24f), still = k.static_friction * c.depth;
+        const float kinetic = std::min(k.kinetic_friction * c.depth * inverse_root(square), 1.0f);
+        correction = correction - (square < still * still ? 1.0f : kinetic) * t;
       }
       sum = sum + share_of(work, i, j) * correction, touches += 1;
     }

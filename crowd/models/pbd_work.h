@@ -41,8 +41,8 @@ struct Chunk {
   /// near.
   std::array<float, kBlocksPerChunk> gap{};
   // Of the step that is being made.
-  NeighbourRows near;  ///< those rows of `contacts` in which somebody may touch somebody before the step is over
-  std::array<std::uint8_t, kBlocksPerChunk> busy{};  ///< blocks that have such rows or walls; the others walk freely
+  NeighbourRows near;  ///< those of `contacts` who may touch somebody before the step is over
+  std::array<std::uint8_t, kBlocksPerChunk> busy{};  ///< blocks that have such or walls; the others walk freely
   std::uint32_t busy_count = 0;
   float thrown = 0;  ///< how far stabilising has moved somebody, metres
 };
