@@ -107,7 +107,7 @@ HWY_INLINE V share_of(const Work& work, const Self& self, VI other) {
 /// A pair's geometry: n points from the neighbour to the agent, depth > 0 where the discs overlap.
 struct Contact {
   M touching;
-  Pair n;
+  Pair d, n;  ///< the way from the neighbour to the agent, and its direction
   V depth;
 };
 
@@ -118,6 +118,7 @@ HWY_INLINE Contact contact(const Work& work, const Self& self, VI other, Pair xi
   const Pair d = xi - gather(places, other);
   const V d2 = dot(d, d), reach = reach_of(work, self, other, growth);
   Contact c;
+  c.d = d;
   c.touching = hn::AndNot(hn::RebindMask(kD, hn::Eq(self.index, other)), hn::Lt(d2, hn::Mul(reach, reach)));
   if (hn::AllFalse(kD, c.touching)) return c;
   const M coincident = hn::Lt(d2, set(kCoincident));
@@ -279,25 +280,24 @@ HWY_INLINE Pair rubbed(const Constants& k, const Contact& c, Pair u) {
 
 void project(Work& work, const Constants& k, std::size_t chunk) {
   const bool friction = k.static_friction > 0 || k.kinetic_friction > 0;
-  for_each_vector<Which::busy>(
-      work, work.chunks[chunk].near, chunk,
-      [&](std::size_t i, VI index, const std::int32_t* items, std::uint32_t rows) {
-        const Pair xi = load(work.predicted, i), moved = xi - load(work.at, i);
-        const Self self = self_at(work, index, i);
-        Pair sum = zero();
-        V touches = hn::Zero(kD);
-        for (std::uint32_t r = 0; r < rows; ++r) {
-          const VI other = hn::Load(kDI, items + r * kLanes);
-          const Contact c = contact(work, self, other, xi, work.predicted, k.growth);
-          if (hn::AllFalse(kD, c.touching)) continue;
-          Pair push = scaled(c.depth, c.n);
-          if (friction) push = push - rubbed(k, c, moved - (gather(work.predicted, other) - gather(work.at, other)));
-          sum = sum + kept(c.touching, scaled(share_of(work, self, other), push));
-          touches = hn::Add(touches, hn::IfThenElseZero(c.touching, set(1)));
-        }
-        const V factor = relaxed(k, touches);
-        store(xi + scaled(factor, sum), work.corrected, i);
-      });
+  for_each_vector<Which::busy>(work, work.chunks[chunk].near, chunk,
+                               [&](std::size_t i, VI index, const std::int32_t* items, std::uint32_t rows) {
+                                 const Pair xi = load(work.predicted, i), at = load(work.at, i);
+                                 const Self self = self_at(work, index, i);
+                                 Pair sum = zero();
+                                 V touches = hn::Zero(kD);
+                                 for (std::uint32_t r = 0; r < rows; ++r) {
+                                   const VI other = hn::Load(kDI, items + r * kLanes);
+                                   const Contact c = contact(work, self, other, xi, work.predicted, k.growth);
+                                   if (hn::AllFalse(kD, c.touching)) continue;
+                                   Pair push = scaled(c.depth, c.n);
+                                   if (friction) push = push - rubbed(k, c, c.d - (at - gather(work.at, other)));
+                                   sum = sum + kept(c.touching, scaled(share_of(work, self, other), push));
+                                   touches = hn::Add(touches, hn::IfThenElseZero(c.touching, set(1)));
+                                 }
+                                 const V factor = relaxed(k, touches);
+                                 store(xi + scaled(factor, sum), work.corrected, i);
+                               });
 }
 
 void finish(Work& work, const Constants& k, std::size_t chunk) {

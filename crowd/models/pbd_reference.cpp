@@ -284,7 +284,6 @@ void predict(Work& work, const Constants& k, std::size_t chunk) {
 }
 
 void project(Work& work, const Constants& k, std::size_t chunk) {
-  const auto moved = [&](std::size_t i) { return at(work.predicted, i) - at(work.at, i); };
   for_each_agent(work, work.chunks[chunk].near, chunk, [&](std::size_t i, const std::vector<std::size_t>& neighbours) {
     if (!work.chunks[chunk].busy[i % kChunk / kLanes]) return;
     Vec sum;
@@ -294,7 +293,7 @@ void project(Work& work, const Constants& k, std::size_t chunk) {
       if (c.depth <= 0) continue;
       Vec correction = c.depth * c.n;
       if (k.static_friction > 0 || k.kinetic_friction > 0) {
-        const Vec u = moved(i) - moved(j);
+        const Vec u = (at(work.predicted, i) - at(work.predicted, j)) - (at(work.at, i) - at(work.at, j));
         const Vec t = u - dot(u, c.n) * c.n;
         const float square = std::max(dot(t, t), 1e-24f), still = k.static_friction * c.depth;
         const float kinetic = std::min(k.kinetic_friction * c.depth * inverse_root(square), 1.0f);
