@@ -377,15 +377,21 @@ void foresee(Work& work, const Constants& k, std::size_t chunk) {
         V pairs = hn::Zero(kD);
         for (std::uint32_t r = 0; r < rows; ++r) {
           const VI other = hn::Load(kDI, items + r * kLanes);
-          const Pair d = xi - gather(work.at, other), u = intended - gather(work.corrected, other);
+          const Pair d = xi - gather(work.at, other);
+          Pair u = intended - gather(work.corrected, other);
           const V reach = reach_of(work, self, other, k.growth);
+          const V c = hn::Sub(dot(d, d), hn::Mul(reach, reach));
+          // Contacts are no collisions to come, but two who press against each other slide past by the same push: else
+          // friction would hold them for ever. They stand, so that only their wishes say where they would go.
+          const M apart = hn::Or(hn::Gt(c, hn::Zero(kD)), hn::RebindMask(kD, hn::Eq(index, other)));
+          if (!hn::AllTrue(kD, apart)) u = chosen(apart, u, load(work.wish, i) - gather(work.wish, other));
           // tau = (b - sqrt(b b - a c)) / a [thesis eq. 4.4 to 4.7, with relative displacements].
-          const V a = dot(u, u), b = hn::Neg(dot(d, u)), c = hn::Sub(dot(d, d), hn::Mul(reach, reach));
+          const V a = dot(u, u), b = hn::Neg(dot(d, u));
           const V under = hn::Sub(hn::Mul(b, b), hn::Mul(a, c));
-          M valid = hn::And(hn::And(hn::Gt(c, hn::Zero(kD)), hn::Gt(b, hn::Zero(kD))), hn::Gt(under, hn::Zero(kD)));
-          valid = hn::And(valid, hn::Gt(a, set(1e-6f)));
+          M valid = hn::And(hn::And(hn::Gt(b, hn::Zero(kD)), hn::Gt(under, hn::Zero(kD))), hn::Gt(a, set(1e-6f)));
           if (hn::AllFalse(kD, valid)) continue;
-          const V tau = hn::Div(hn::Sub(b, hn::Sqrt(hn::Max(under, hn::Zero(kD)))), hn::Max(a, set(1e-6f)));
+          const V tau = hn::Max(hn::Div(hn::Sub(b, hn::Sqrt(hn::Max(under, hn::Zero(kD)))), hn::Max(a, set(1e-6f))),
+                                hn::Zero(kD));
           valid = hn::And(valid, hn::Lt(tau, set(k.far_horizon)));
           if (hn::AllFalse(kD, valid)) continue;
           const V delay = hn::Floor(hn::Mul(hn::IfThenElseZero(valid, tau), inverse_dt));
@@ -396,12 +402,12 @@ void foresee(Work& work, const Constants& k, std::size_t chunk) {
           // What slides past; of a head-on pair a nudge, so that each passes on its right [eq. 4.11 to 4.13].
           const Pair t = u - scaled(dot(u, n), n);
           const M head_on = hn::Lt(dot(t, t), hn::Mul(set(1e-4f), a));
-          const V nudge = hn::Mul(set(0.01f), hn::Sqrt(a));
+          const V nudge = hn::Mul(hn::IfThenElse(apart, set(0.01f), set(0.1f)), hn::Sqrt(a));
           const Pair past = {hn::Neg(hn::Mul(n.y, nudge)), hn::Mul(n.x, nudge)};
           Pair push;
           if (k.far == 1) {  // the future contact itself, as a displacement of this step [4.2.4]
-            const V depth = hn::Max(hn::Sub(reach, hn::Mul(square, inverse)), hn::Zero(kD));
-            push = scaled(depth, n) + kept(head_on, scaled(dt, past));
+            const V depth = hn::IfThenElseZero(apart, hn::Max(hn::Sub(reach, hn::Mul(square, inverse)), hn::Zero(kD)));
+            push = scaled(depth, n) + kept(hn::Or(head_on, hn::Not(apart)), scaled(dt, chosen(head_on, past, t)));
           } else {
             push = scaled(dt, chosen(head_on, past, t));
           }

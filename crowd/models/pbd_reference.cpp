@@ -92,12 +92,13 @@ void for_each_of(const Work& work, std::size_t chunk, bool busy, F&& f) {
 /// What a collision to come asks of agent i, as a displacement; nothing when there is none.
 std::optional<Vec> response_to_come(const Work& work, const Constants& k, std::size_t i, std::size_t j) {
   const Vec d = at(work.at, i) - at(work.at, j);
-  const Vec u = at(work.corrected, i) - at(work.corrected, j);
   const float reach = reach_of(work, i, j, k.growth);
-  const float a = dot(u, u), b = -dot(d, u), c = dot(d, d) - reach * reach;
+  const float c = dot(d, d) - reach * reach;
+  const Vec u = c > 0 ? at(work.corrected, i) - at(work.corrected, j) : at(work.wish, i) - at(work.wish, j);
+  const float a = dot(u, u), b = -dot(d, u);
   const float under = b * b - a * c;
-  if (!(c > 0 && b > 0 && under > 0 && a > 1e-6f)) return {};
-  const float tau = (b - std::sqrt(under)) / a;
+  if (!(b > 0 && under > 0 && a > 1e-6f)) return {};
+  const float tau = std::max((b - std::sqrt(under)) / a, 0.0f);
   if (!(tau < k.far_horizon)) return {};
   const float delay = std::floor(tau * (1 / k.dt));
   const float stiffness = k.stiffness_of_delay[static_cast<std::size_t>(delay)];
@@ -107,11 +108,11 @@ std::optional<Vec> response_to_come(const Work& work, const Constants& k, std::s
   const float weight = share_of(work, i, j) * stiffness;
   Vec t = u - dot(u, n) * n;
   const bool head_on = dot(t, t) < 1e-4f * a;
-  const float nudge = 0.01f * std::sqrt(a);
+  const float nudge = (c > 0 ? 0.01f : 0.1f) * std::sqrt(a);
   if (head_on) t = {-(n.y * nudge), n.x * nudge};
   if (k.far == 1) {
-    const Vec contact = std::max(reach - square * inverse, 0.0f) * n;
-    return weight * (contact + k.dt * (head_on ? t : Vec{}));
+    const Vec contact = (c > 0 ? std::max(reach - square * inverse, 0.0f) : 0.0f) * n;
+    return weight * (contact + k.dt * (head_on || c <= 0 ? t : Vec{}));
   }
   return weight * (k.dt * t);
 }
