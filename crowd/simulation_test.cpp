@@ -44,7 +44,14 @@ std::string error_of(const scene::Scene& scene, const Settings& settings = {}) {
 
 bool has(const std::string& text, std::string_view part) { return text.find(part) != std::string::npos; }
 
-const std::vector<scene::CrowdModel> kModels = {scene::PbdModel{}, scene::PowerLawModel{}, scene::SocialForceModel{},
+/// With avoidance: contacts alone leave two who meet head-on face to face, for minutes.
+scene::PbdModel avoiding() {
+  scene::PbdModel model;
+  model.far = 2;
+  return model;
+}
+
+const std::vector<scene::CrowdModel> kModels = {avoiding(), scene::PowerLawModel{}, scene::SocialForceModel{},
                                                 scene::OrcaModel{}};
 
 }  // namespace
