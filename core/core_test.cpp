@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "core/angle.h"
@@ -79,4 +82,33 @@ TEST_CASE("UTF-8 is told from noise") {
               "che"));
   CHECK_FALSE(is_utf8("\xed\xa0\x80"));
   CHECK_FALSE(is_utf8("\xc3"));
+}
+
+TEST_CASE("parallel loops call every index once whatever the number of threads and however short they are") {
+  for (const int threads : {0, 1, 2, 8})
+    for (int round = 0; round < 2000; ++round) {
+      const std::size_t count = static_cast<std::size_t>(round % 23);
+      std::vector<int> calls(count, 0);
+      parallel_for(count, threads, [&](std::size_t i) { ++calls[i]; });
+      REQUIRE(std::ranges::count(calls, 1) == static_cast<std::ptrdiff_t>(count));
+    }
+}
+
+TEST_CASE("parallel loops within others and beside others are done and an exception comes out") {
+  std::atomic<int> sum = 0;
+  const auto both = [&] {
+    for (int round = 0; round < 200; ++round)
+      parallel_for(4, 4, [&](std::size_t) { parallel_for(5, 2, [&](std::size_t i) { sum += static_cast<int>(i); }); });
+  };
+  std::thread other(both);
+  both();
+  other.join();
+  CHECK(sum == 2 * 200 * 4 * 10);
+  CHECK_THROWS_AS(parallel_for(100, 2,
+                               [](std::size_t i) {
+                                 if (i == 40) throw std::runtime_error("forty");
+                               }),
+                  std::runtime_error);
+  parallel_for(10, 2, [&](std::size_t) { ++sum; });
+  CHECK(sum == 2 * 200 * 4 * 10 + 10);
 }

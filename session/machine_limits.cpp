@@ -1,12 +1,11 @@
 #include "session/machine_limits.h"
 
-#include <oneapi/tbb/cache_aligned_allocator.h>
-
 #include <algorithm>
 #include <chrono>
 #include <thread>
 #include <vector>
 
+#include "core/aligned.h"
 #include "core/parallel.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -86,7 +85,7 @@ double peak_flops(int threads) {
 double bandwidth(std::size_t bytes, int threads) {
   constexpr std::size_t kPart = 4096;
   const std::size_t parts = std::max<std::size_t>(1, bytes / (3 * sizeof(float) * kPart));
-  std::vector<float, tbb::cache_aligned_allocator<float>> a(parts * kPart), b(parts * kPart, 1), c(parts * kPart, 2);
+  core::AlignedVector<float> a(parts * kPart), b(parts * kPart, 1), c(parts * kPart, 2);
   const std::size_t chunks = std::min<std::size_t>(parts, 8 * threads_of(threads));
   double best = 0;
   for (int run = 0; run < kRuns; ++run) {

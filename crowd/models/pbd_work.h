@@ -1,11 +1,10 @@
 #pragma once
-#include <oneapi/tbb/cache_aligned_allocator.h>
-
 #include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
+#include "core/aligned.h"
 #include "crowd/agents.h"
 #include "scene/crowd_models.h"
 
@@ -15,11 +14,11 @@
 namespace inhabit::crowd::pbd_model {
 
 constexpr std::size_t kLanes = 16;
-constexpr std::size_t kBlocksPerChunk = 32;  ///< a chunk is what one thread takes at a time: 512 agents
+constexpr std::size_t kBlocksPerChunk = 16;  ///< a chunk is what one thread takes at a time: 256 agents
 constexpr std::size_t kChunk = kLanes * kBlocksPerChunk;
 
-using FloatArray = std::vector<float, tbb::cache_aligned_allocator<float>>;
-using IndexArray = std::vector<std::int32_t, tbb::cache_aligned_allocator<std::int32_t>>;
+using FloatArray = core::AlignedVector<float>;
+using IndexArray = core::AlignedVector<std::int32_t>;
 
 /// For each block of agents rows of sixteen indices: entry [row][lane] is a neighbour of the block's agent `lane`, or
 /// that agent itself where it has no more neighbours.
