@@ -22,7 +22,7 @@ std::vector<BenchGroupRow> bench_groups() {
        BenchGroupRow::people},
       {"measures", "recordings of people measured, beside published curves (needs the data folder)", bench_measures,
        BenchGroupRow::people},
-      {"emergence", "what crowds do by themselves: all arrive, lanes, arches, shapes (say --seeds 20)", bench_emergence,
+      {"emergence", "what crowds do by themselves: all arrive, lanes, arches, shapes; 20 seeds at most", bench_emergence,
        BenchGroupRow::people},
   };
 }

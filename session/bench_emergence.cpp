@@ -14,6 +14,9 @@ namespace {
 
 using geometry::Vec2;
 
+/// Of each scene: a hundred would show the same and take hours.
+constexpr int kMostSeeds = 20;
+
 /// A row: a scene with a choice of the model.
 struct Case {
   std::string scene, far;
@@ -34,7 +37,7 @@ using Watch = std::function<void(std::size_t seed, const crowd::Simulation&)>;
 
 /// Runs of seeds 1 … n, several at once; `watch` is called from several threads, for one seed from one.
 Seeds run_seeds(const scene::Scene& scene, const Case& row, const BenchOptions& options, const Watch& watch) {
-  const auto count = static_cast<std::size_t>(options.seeds);
+  const auto count = static_cast<std::size_t>(std::min(options.seeds, kMostSeeds));
   std::vector<std::optional<Result<EmergentRun>>> results(count);
   std::atomic<int> done = 0;
   parallel_for(count, 0, [&](std::size_t k) {
@@ -274,7 +277,7 @@ struct Emergence {
                      false,
                      {}};
 
-  std::size_t count() const { return static_cast<std::size_t>(options.seeds); }
+  std::size_t count() const { return static_cast<std::size_t>(std::min(options.seeds, kMostSeeds)); }
   bool stopped() const { return options.cancel && options.cancel->requested(); }
 };
 
