@@ -20,6 +20,7 @@ std::vector<BenchGroupRow> bench_groups() {
       {"rooms", "real homes, stripped and furnished again (needs the data folder)", bench_rooms},
       {"crowd", "times and overlaps of crowds beside published ones, growth, roofline", bench_crowd},
       {"measures", "recordings of people measured, beside published curves (needs the data folder)", bench_measures},
+      {"realism", "people of preset pedestrian beside recorded people and published curves", bench_realism},
   };
 }
 

@@ -22,7 +22,9 @@ Result<BenchAnswer> bench_job(const std::vector<std::string>& groups, const Benc
   if (chosen.empty()) {
     // Real rooms only where there are some; people are no layout.
     for (const BenchGroupRow& row : known)
-      if (row.name != "measures" && row.name != "crowd" && (row.name != "rooms" || !options.data.empty())) chosen.push_back(row);
+      if (row.name != "measures" && row.name != "crowd" && row.name != "realism" &&
+          (row.name != "rooms" || !options.data.empty()))
+        chosen.push_back(row);
   }
   BenchAnswer answer;
   answer.tables.push_back(machine_table());
