@@ -183,8 +183,7 @@ Status experiment(const Runs& runs, const RecordedExperiment& e, Table& table,
       ours.insert(ours.end(), more.begin(), more.end());
     }
   }
-  std::vector<Cell> row = {std::string(e.name), e.calibrates ? "calibration" : "validation", cell(mean(people)),
-                           cell(mean(times)), cell(deviation(times))};
+  std::vector<Cell> row = {std::string(e.name), cell(mean(people)), cell(mean(times)), cell(deviation(times))};
   if (!recorded.times.empty()) {
     const double theirs_all = recorded.times.back() - recorded.first;
     row.insert(row.end(), {static_cast<double>(recorded.times.size()), theirs_all, 100 * (mean(times) / theirs_all - 1),
@@ -197,7 +196,7 @@ Status experiment(const Runs& runs, const RecordedExperiment& e, Table& table,
 
 Status experiments(const Runs& runs, BenchGroup& group) {
   Table table{"realism-experiments", "Experiments: from the first entry to the last passage of a line", {}, {}, {}};
-  table.columns = {{"experiment"},  {"used for"},   {"through", 1}, {"time s", 1},        {"sd", 1},
+  table.columns = {{"experiment"},  {"through", 1}, {"time s", 1},  {"sd", 1},
                    {"recorded", 0}, {"time s ", 1}, {"error %", 1}, {"k-th passage s", 2}};
   std::vector<crowd::FundamentalPoint> ours, theirs;
   for (const RecordedExperiment& e : recorded_experiments())

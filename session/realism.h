@@ -9,13 +9,13 @@
 /// People as they walk here beside people as they were recorded: the runs behind `inhabit bench realism`.
 namespace inhabit::session {
 
-/// An experiment with a recording, the scene that repeats it, and the line where people are counted.
+/// An experiment with a recording, the scene that repeats it, and the line where people are counted. None of them
+/// served to choose parameters: those come from Weidmann's curve and the bottlenecks (docs/results.md).
 struct RecordedExperiment {
   std::string_view name, scene;
   std::string_view file;  ///< below pedestrians/juelich
   io::TrajectoryOptions reading;
   crowd::MeasureLine line;
-  bool calibrates = false;  ///< parameters were chosen with it; else it was only looked at afterwards
 };
 std::span<const RecordedExperiment> recorded_experiments();
 

@@ -5,7 +5,7 @@
 /// What people do about those who walk ahead, before the model moves anybody. Ours; off in the thesis's preset.
 ///
 /// Along a direction e nobody wishes to walk faster than the gaps ahead allow, as in collision-free speed models
-/// [Tordeux16 eq. 4], with what is known of the leader's own pace:
+/// [Tordeux16], with what is known of the leader's own pace:
 ///
 ///   p_i(e) = min(|wish_i|, min over j ahead of s_ij(e) / T + lambda max(v_j.e, 0))
 ///   s_ij(e) = a - R sqrt(1 - (c / (beta R))^2),   R = r_i + r_j + l
