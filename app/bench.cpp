@@ -46,7 +46,10 @@ int run(Bench& b) {
 std::function<int()> set_up_bench(CLI::App& verb) {
   const auto b = std::make_shared<Bench>();
   verb.add_option("GROUP", b->groups, "What to measure; all of layout when absent")->expected(0, -1);
-  verb.add_option("--seeds", b->options.seeds, "Seeds per scene")->check(CLI::Range(1, 100000))->capture_default_str();
+  CLI::Option* seeds = verb.add_option("--seeds", b->options.seeds, "Seeds per scene; realism takes 5 when absent")
+                           ->check(CLI::Range(1, 100000))
+                           ->capture_default_str();
+  verb.add_option("--set", b->options.set, "realism: a parameter of the model, NAME=VALUE; may be repeated");
   verb.add_option("--max-seats", b->options.max_seats, "growth: the largest theatre, up to 100000")
       ->check(CLI::Range(25, 100000))
       ->capture_default_str();
@@ -57,9 +60,9 @@ std::function<int()> set_up_bench(CLI::App& verb) {
       ->check(CLI::PositiveNumber);
   verb.add_option("--threads", b->options.threads, "crowd: threads; all there are when absent")
       ->check(CLI::Range(1, 1024));
-  verb.add_option(
-          "--data", b->options.data,
-          "rooms, measures: folder that holds rooms/ and pedestrians/ (or the environment variable INHABIT_DATA)")
+  verb.add_option("--data", b->options.data,
+                  "rooms, measures, realism: folder that holds rooms/ and pedestrians/ (or the environment variable "
+                  "INHABIT_DATA)")
       ->type_name("DIR");
   verb.add_option("--scheme", b->scheme, "gauss-seidel or averaged")
       ->check(CLI::IsMember({"gauss-seidel", "averaged"}))
@@ -73,7 +76,10 @@ std::function<int()> set_up_bench(CLI::App& verb) {
               "Times are of one start on one thread unless a column says otherwise.\n"
               "Examples:\n  inhabit bench layout\n  inhabit bench table1 --seeds 20 --json\n  inhabit bench growth "
               "--max-seats 100000 --plots plots");
-  return [b] { return run(*b); };
+  return [b, seeds] {
+    b->options.seeds_given = seeds->count() > 0;
+    return run(*b);
+  };
 }
 
 }  // namespace inhabit::app

@@ -19,7 +19,7 @@ struct PbdModel {
   double far_stiffness = 0.24, far_horizon = 20, far_range = 5;
   int far_neighbours = 10;
   double maximum_acceleration = 20;
-  double headway = 0;
+  double headway = 0, headway_length = 0, headway_breadth = 1, anticipation = 0, sidestep = 0, hesitation = 0;
   static constexpr std::string_view kName = "pbd";
   static constexpr std::array kFields = {
       Field<PbdModel>{"preset", &PbdModel::preset, "the values of what is not said: the thesis's or people's", "", 0, 0,
@@ -48,8 +48,18 @@ struct PbdModel {
       Field<PbdModel>{"far_neighbours", &PbdModel::far_neighbours, "the nearest so many count", "", 1, 64},
       Field<PbdModel>{"maximum_acceleration", &PbdModel::maximum_acceleration, "a_max", "m/s^2", 0.1, 1e6},
       Field<PbdModel>{"headway", &PbdModel::headway,
-                      "time in which the gap ahead may be closed: slows people down behind others; 0: off", "s", 0,
-                      60}};
+                      "time T in which the gap to who stands ahead may be closed: slows people down; 0: off", "s", 0,
+                      60},
+      Field<PbdModel>{"headway_length", &PbdModel::headway_length,
+                      "room that is kept between bodies one behind the other", "m", 0, 10},
+      Field<PbdModel>{"headway_breadth", &PbdModel::headway_breadth,
+                      "how many times as wide as deep bodies are for the headway", "", 0.1, 10},
+      Field<PbdModel>{"anticipation", &PbdModel::anticipation,
+                      "share of the leader's speed that the headway takes for granted", "", 0, 0.95},
+      Field<PbdModel>{"sidestep", &PbdModel::sidestep, "widest turn out of the way for a longer way ahead; 0: none",
+                      "deg", 0, 89},
+      Field<PbdModel>{"hesitation", &PbdModel::hesitation,
+                      "share of the time in which somebody whom bodies hold up does not push", "", 0, 1}};
   /// The values of a preset; `preset` says its name.
   static PbdModel of_preset(Preset preset);
   friend bool operator==(const PbdModel& a, const PbdModel& b) { return same_fields(a, b); }

@@ -22,7 +22,9 @@ std::vector<BenchGroupRow> bench_groups() {
        BenchGroupRow::people},
       {"measures", "recordings of people measured, beside published curves (needs the data folder)", bench_measures,
        BenchGroupRow::people},
-      {"emergence", "what crowds do by themselves: all arrive, lanes, arches, shapes; 20 seeds at most", bench_emergence,
+      {"emergence", "what crowds do by themselves: all arrive, lanes, arches, shapes; 20 seeds at most",
+       bench_emergence, BenchGroupRow::people},
+      {"realism", "people of preset pedestrian beside recorded people and published curves", bench_realism,
        BenchGroupRow::people},
   };
 }

@@ -15,12 +15,14 @@ using namespace core;
 
 struct BenchOptions {
   int seeds = 100;
-  int max_seats = 3200;     ///< growth: the largest theatre
-  int max_people = 100000;  ///< crowd: the largest growing crowd, people
-  int threads = 0;          ///< crowd: 0: all there are
-  double seconds = 0;       ///< crowd: of simulated time, at most; 0: as long as each scene says
-  std::string data;         ///< rooms, measures: the folder that holds `rooms/` and `pedestrians/`
-  layout::Options layout;   ///< method, scheme, start; seed, starts and threads are the bench's own
+  bool seeds_given = false;      ///< else realism takes 5
+  std::vector<std::string> set;  ///< realism: parameters of the model, NAME=VALUE
+  int max_seats = 3200;          ///< growth: the largest theatre
+  int max_people = 100000;       ///< crowd: the largest growing crowd, people
+  int threads = 0;               ///< crowd: 0: all there are
+  double seconds = 0;            ///< crowd: of simulated time, at most; 0: as long as each scene says
+  std::string data;              ///< rooms, measures: the folder that holds `rooms/` and `pedestrians/`
+  layout::Options layout;        ///< method, scheme, start; seed, starts and threads are the bench's own
   Progress progress;
   const Cancel* cancel = nullptr;
 };
@@ -65,6 +67,7 @@ Result<BenchGroup> bench_memory(const BenchOptions& options);
 Result<BenchGroup> bench_files(const BenchOptions& options);
 Result<BenchGroup> bench_rooms(const BenchOptions& options);
 Result<BenchGroup> bench_measures(const BenchOptions& options);
+Result<BenchGroup> bench_realism(const BenchOptions& options);
 Result<BenchGroup> bench_crowd(const BenchOptions& options);
 Result<BenchGroup> bench_emergence(const BenchOptions& options);
 

@@ -20,7 +20,7 @@ Body game_body() {
 
 Body pedestrian_body() {
   Body body;
-  body.radius = {0.2, 0.2};
+  body.radius = {0.15, 0.15};
   return body;
 }
 

@@ -17,7 +17,8 @@ Ring rectangle(double x0, double y0, double x1, double y1);
 
 /// The game's people (thesis 6.1.1): radius 0.5 m, 1.4 m/s "slightly varied", which we read as a deviation of 0.1.
 Body game_body();
-/// People as they are: RiMEA's body of 0.4 m (test 1), Weidmann's 1.34 +- 0.26 m/s.
+/// People as they are: Weidmann's 1.34 +- 0.26 m/s; what cannot be squeezed of a body, 0.3 m across, as preset
+/// `pedestrian` was calibrated with. The room that people keep beyond it is the model's headway.
 Body pedestrian_body();
 
 /// The index of a choice of the model's "far".

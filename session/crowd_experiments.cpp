@@ -70,7 +70,7 @@ Scene experiment_unidirectional(int entrance) {
   const Run* run = kRuns.data();
   while (run->entrance != entrance) ++run;
   const auto centimetres = [](int c) { return std::string(c < 100 ? "0" : "") + std::to_string(c); };
-  Ring ring = {{1.8, -4}, {1.8, 4}, {2.8, 4}, {2.8, 8}, {-1, 8}, {-1, 4}, {0, 4}, {0, -4}};
+  Ring ring = {{1.8, -4}, {1.8, 4}, {2.8, 4}, {2.8, 8.6}, {-1, 8.6}, {-1, 4}, {0, 4}, {0, -4}};
   if (run->exit < 180) {
     // Two cheeks 0.2 m thick at the corridor's end.
     const double a = neat(0.9 - run->exit / 200.0), b = neat(0.9 + run->exit / 200.0);

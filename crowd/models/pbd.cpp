@@ -4,6 +4,7 @@
 
 #include "core/parallel.h"
 #include "crowd/grid.h"
+#include "crowd/models/pbd_heed.h"
 #include "crowd/models/pbd_kernels.h"
 #include "crowd/models/pbd_lists.h"
 
@@ -38,6 +39,9 @@ struct Pbd::State {
   std::vector<float> strayed, speeds;
   std::size_t rebuilds = 0;
   int threads = 0;
+  HeedWork heeding;
+  std::vector<float> asked_x, asked_y;  ///< wishes as the planner wrote them
+  std::size_t steps = 0;
 
   template <class F>
   void for_each_chunk(F&& f) {
@@ -63,6 +67,7 @@ struct Pbd::State {
   void hold_walls(const Walls& walls, FloatArray& places, std::size_t chunk) const;
   void part_overlaps(const Walls& walls);
   void contend(const Walls& walls);
+  void heed_others(Agents& agents);
   void advance(const Walls& walls);
 };
 
@@ -86,7 +91,6 @@ void Pbd::State::set_constants(float dt) {
   k.kinetic_friction = static_cast<float>(p.kinetic_friction);
   k.velocity_change = static_cast<float>(p.maximum_acceleration) * dt;
   k.far = p.far;
-  k.headway = static_cast<float>(p.headway);
   k.cohesion = static_cast<float>(p.cohesion), k.cohesion_range = static_cast<float>(p.cohesion_range);
   k.far_horizon = static_cast<float>(p.far_horizon);
   const double whole = 1 - std::pow(1 - p.far_stiffness, kFarPasses);
@@ -255,7 +259,6 @@ void Pbd::State::contend(const Walls& walls) {
 }
 
 void Pbd::State::advance(const Walls& walls) {
-  if (constants.headway > 0) for_each_chunk([&](std::size_t c) { heed(work, constants, c); });
   if (constants.far != 0) {
     for_each_chunk([&](std::size_t c) { intend(work, constants, c); });
     for_each_chunk([&](std::size_t c) { foresee(work, constants, c); });
@@ -269,6 +272,22 @@ void Pbd::State::advance(const Walls& walls) {
   }
 }
 
+/// Takes wishes shortened and turned for those ahead; the agents keep their own. Requires: neighbours of this step.
+void Pbd::State::heed_others(Agents& agents) {
+  const HeedConstants k = heed_constants(parameters);
+  const double time = static_cast<double>(steps) * constants.dt;
+  pbd_model::take(heeding, agents);
+  for_each_chunk([&](std::size_t c) {
+    heed(heeding, k, work.chunks[c].far, c);
+    if (parameters.hesitation > 0) hesitate(heeding, agents, parameters.hesitation, time, c);
+  });
+  asked_x = agents.wish_x, asked_y = agents.wish_y;
+  std::copy_n(heeding.wish_x.begin(), agents.size(), agents.wish_x.begin());
+  std::copy_n(heeding.wish_y.begin(), agents.size(), agents.wish_y.begin());
+  take(agents);
+  agents.wish_x.swap(asked_x), agents.wish_y.swap(asked_y);
+}
+
 void Pbd::step(Agents& agents, const Surroundings& around) {
   State& s = *state_;
   if (agents.empty()) return;
@@ -278,7 +297,9 @@ void Pbd::step(Agents& agents, const Surroundings& around) {
     s.take(agents);
   else
     s.search(agents, around.walls);
+  if (s.parameters.headway > 0) s.heed_others(agents);
   s.advance(around.walls);
+  ++s.steps;
   s.give(agents);
 }
 

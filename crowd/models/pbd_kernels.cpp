@@ -316,30 +316,6 @@ void finish(Work& work, const Constants& k, std::size_t chunk) {
   });
 }
 
-void heed(Work& work, const Constants& k, std::size_t chunk) {
-  for_each_vector<Which::all>(
-      work, work.chunks[chunk].far, chunk, [&](std::size_t i, VI index, const std::int32_t* items, std::uint32_t rows) {
-        const Pair xi = load(work.at, i), wish = load(work.wish, i);
-        const Self self = self_at(work, index, i);
-        const V speed = hn::Sqrt(dot(wish, wish));
-        const Pair e = scaled(hn::Div(set(1), hn::Max(speed, set(1e-12f))), wish);
-        V allowed = speed;
-        for (std::uint32_t r = 0; r < rows; ++r) {
-          const VI other = hn::Load(kDI, items + r * kLanes);
-          const Pair d = gather(work.at, other) - xi;
-          const V along = dot(d, e);
-          const V across = hn::Sub(hn::Mul(d.y, e.x), hn::Mul(d.x, e.y));
-          const V reach = reach_of(work, self, other, 1);
-          const V under = hn::Sub(hn::Mul(reach, reach), hn::Mul(across, across));
-          const M ahead = hn::AndNot(hn::RebindMask(kD, hn::Eq(index, other)),
-                                     hn::And(hn::Gt(along, hn::Zero(kD)), hn::Gt(under, hn::Zero(kD))));
-          const V gap = hn::Max(hn::Sub(along, hn::Sqrt(hn::Max(under, hn::Zero(kD)))), hn::Zero(kD));
-          allowed = hn::IfThenElse(ahead, hn::Min(allowed, hn::Div(gap, set(k.headway))), allowed);
-        }
-        store(scaled(allowed, e), work.wish, i);
-      });
-}
-
 void cohere(Work& work, const Constants& k, std::size_t chunk) {
   for_each_vector<Which::all>(
       work, work.chunks[chunk].far, chunk, [&](std::size_t i, VI index, const std::int32_t* items, std::uint32_t rows) {
@@ -426,7 +402,6 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace inhabit::crowd::pbd_model {
 
-HWY_EXPORT(heed);
 HWY_EXPORT(cohere);
 HWY_EXPORT(intend);
 HWY_EXPORT(foresee);
@@ -438,7 +413,6 @@ HWY_EXPORT(predict);
 HWY_EXPORT(project);
 HWY_EXPORT(finish);
 
-void heed(Work& work, const Constants& k, std::size_t chunk) { HWY_DYNAMIC_DISPATCH(heed)(work, k, chunk); }
 void cohere(Work& work, const Constants& k, std::size_t chunk) { HWY_DYNAMIC_DISPATCH(cohere)(work, k, chunk); }
 void intend(Work& work, const Constants& k, std::size_t chunk) { HWY_DYNAMIC_DISPATCH(intend)(work, k, chunk); }
 void foresee(Work& work, const Constants& k, std::size_t chunk) { HWY_DYNAMIC_DISPATCH(foresee)(work, k, chunk); }

@@ -11,9 +11,6 @@ constexpr float kCoincident = 1e-12f;
 /// The thesis's factor on averaged corrections, for collisions to come.
 constexpr float kFarRelaxation = 1.2f;
 
-/// Nobody wishes to walk faster than what closes the gap ahead within the headway: the free length of the way that the
-/// agent's disc would sweep. Shortens `wish`. Ours; off in the thesis's preset.
-void heed(Work& work, const Constants& constants, std::size_t chunk);
 /// next = velocities, moved a share of the way towards the neighbours' mean, weighted by the poly6 kernel. [thesis eq.
 /// 4.3 with the sign of XSPH, normalised so that a crowd cannot overshoot]
 void cohere(Work& work, const Constants& constants, std::size_t chunk);

@@ -54,7 +54,7 @@ State random_state(std::size_t count, bool alike, int far, std::uint64_t seed, d
   s.k.dt = 1.0f / 48, s.k.part = s.k.dt / 8, s.k.inverse_part = 1 / s.k.part, s.k.blend = 0.0048f, s.k.growth = 1.02f;
   s.k.parts = 8, s.k.stride = 2 * s.k.dt;
   s.k.static_friction = 0.21f, s.k.kinetic_friction = 0.1f, s.k.velocity_change = 0.4f;
-  s.k.far = far, s.k.far_horizon = 20, s.k.headway = 0.5f, s.k.cohesion = 0.3f, s.k.cohesion_range = 4;
+  s.k.far = far, s.k.far_horizon = 20, s.k.cohesion = 0.3f, s.k.cohesion_range = 4;
   for (int m = 0; m < 1000; ++m) s.stiffness.push_back(static_cast<float>(std::exp(-m * m / 48.0 / 48 / 20)));
   s.k.stiffness_of_delay = s.stiffness.data();
   s.reach = {1.02f, 0.2f, true, 3, 10};
@@ -93,8 +93,6 @@ void compare(State fast, bool to_come = true) {
   if (to_come) CHECK(changed > f.count / 4);  // there was something to compare
   each([&](std::size_t c) { cohere(f, fast.k, c), plainly::cohere(p, plain.k, c); });
   check_same(f.next, p.next);
-  each([&](std::size_t c) { heed(f, fast.k, c), plainly::heed(p, plain.k, c); });
-  check_same(f.wish, p.wish);
   each([&](std::size_t c) {
     narrow(f, fast.k, c), plainly::narrow(p, plain.k, c);
     CHECK(f.chunks[c].near.items == p.chunks[c].near.items);

@@ -162,23 +162,6 @@ void find_neighbours(Work& work, const Reach& reach, std::size_t chunk) {
   }
 }
 
-void heed(Work& work, const Constants& k, std::size_t chunk) {
-  for_each_agent(work, work.chunks[chunk].far, chunk, [&](std::size_t i, const std::vector<std::size_t>& neighbours) {
-    const Vec wish = at(work.wish, i);
-    const float speed = norm(wish);
-    const Vec e = (1 / std::max(speed, 1e-12f)) * wish;
-    float allowed = speed;
-    for (const std::size_t j : neighbours) {
-      const Vec d = at(work.at, j) - at(work.at, i);
-      const float along = dot(d, e), across = d.y * e.x - d.x * e.y, reach = reach_of(work, i, j, 1);
-      const float under = reach * reach - across * across;
-      if (!(along > 0 && under > 0)) continue;
-      allowed = std::min(allowed, std::max(along - std::sqrt(under), 0.0f) / k.headway);
-    }
-    put(allowed * e, work.wish, i);
-  });
-}
-
 void cohere(Work& work, const Constants& k, std::size_t chunk) {
   for_each_agent(work, work.chunks[chunk].far, chunk, [&](std::size_t i, const std::vector<std::size_t>& neighbours) {
     const Vec v = at(work.v, i);

@@ -7,7 +7,6 @@
 namespace inhabit::crowd::pbd_model::plainly {
 
 void find_neighbours(Work& work, const Reach& reach, std::size_t chunk);
-void heed(Work& work, const Constants& constants, std::size_t chunk);
 void cohere(Work& work, const Constants& constants, std::size_t chunk);
 void intend(Work& work, const Constants& constants, std::size_t chunk);
 void foresee(Work& work, const Constants& constants, std::size_t chunk);

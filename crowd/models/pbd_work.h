@@ -84,7 +84,6 @@ struct Constants {
   float stride = 0;  ///< how far anybody gets in a step, metres
   int far = 0;
   float far_horizon = 0;
-  float headway = 0;
   float cohesion = 0, cohesion_range = 0;
   const float* stiffness_of_delay = nullptr;  ///< k exp(-(m dt)^2 / tau_0) for m = 0, 1, …
 };

@@ -263,7 +263,9 @@ std::string crowd_models_page() {
       "# Models of crowds\n\nEvery model of how people walk that a scene's `crowd` may name as its `model`, with all "
       "its "
       "parameters. This page\nis made from the tables in `scene/crowd_models.h`; what the models are stands in "
-      "`crowd/models/`, one file each.\nSymbols and equations: [papers.md](papers.md).\n";
+      "`crowd/models/`, one file each.\nSymbols and equations: [papers.md](papers.md); how the values of `pedestrian` "
+      "were found: "
+      "[results.md](results.md#realism).\n";
   for_each_type(CrowdModels{}, [&]<class T>(std::type_identity<T>) {
     constexpr bool kPresets = std::is_same_v<T, PbdModel>;
     page += "\n## " + std::string(T::kName) + "\n\n| member | meaning | values | ";
