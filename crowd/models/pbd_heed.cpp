@@ -31,11 +31,16 @@ struct Walkers {
   std::uint32_t rows;
 };
 
-/// p(e).
-HWY_INLINE V pace_along(const HeedWork& work, const HeedConstants& k, const Walkers& w, V ex, V ey) {
+/// p(e) and q(e).
+struct Paces {
+  V allowed, clear;
+};
+HWY_INLINE Paces paces_along(const HeedWork& work, const HeedConstants& k, const Walkers& w, V ex, V ey) {
   const V xi = hn::Load(kD, work.x.data() + w.first), yi = hn::Load(kD, work.y.data() + w.first);
   const V ri = hn::Load(kD, work.radius.data() + w.first);
-  V pace = hn::Load(kD, work.speed.data() + w.first);
+  const V wx = hn::Load(kD, work.ex.data() + w.first), wy = hn::Load(kD, work.ey.data() + w.first);
+  V allowed = hn::Load(kD, work.speed.data() + w.first), clear = allowed;
+  const V press = hn::Mul(set(kPress), allowed);
   for (std::uint32_t r = 0; r < w.rows; ++r) {
     const VI other = hn::Load(kDI, w.items + r * kLanes);
     const V dx = hn::Sub(hn::GatherIndex(kD, work.x.data(), other), xi);
@@ -44,20 +49,20 @@ HWY_INLINE V pace_along(const HeedWork& work, const HeedConstants& k, const Walk
     const V across = hn::Mul(hn::Sub(hn::Mul(dy, ex), hn::Mul(dx, ey)), set(k.slimness));
     const V reach = hn::Add(hn::Add(ri, hn::GatherIndex(kD, work.radius.data(), other)), set(k.length));
     const V under = hn::Sub(hn::Mul(reach, reach), hn::Mul(across, across));
-    auto ahead = hn::AndNot(hn::RebindMask(kD, hn::Eq(w.self, other)),
-                            hn::And(hn::Gt(along, hn::Zero(kD)), hn::Gt(under, hn::Zero(kD))));
-    if (hn::AllFalse(kD, ahead)) continue;
-    const V theirs = hn::Add(hn::Mul(dx, hn::GatherIndex(kD, work.ex.data(), other)),
-                             hn::Mul(dy, hn::GatherIndex(kD, work.ey.data(), other)));
-    ahead = hn::And(ahead, hn::Gt(hn::Add(along, theirs), hn::Zero(kD)));
+    const auto met = hn::AndNot(hn::RebindMask(kD, hn::Eq(w.self, other)),
+                                hn::And(hn::Gt(along, hn::Zero(kD)), hn::Gt(under, hn::Zero(kD))));
+    if (hn::AllFalse(kD, met)) continue;
+    const V ox = hn::GatherIndex(kD, work.ex.data(), other), oy = hn::GatherIndex(kD, work.ey.data(), other);
+    const V theirs = hn::Add(hn::Mul(dx, ox), hn::Mul(dy, oy));
+    const auto ahead = hn::And(met, hn::Gt(hn::Add(along, theirs), hn::Zero(kD)));
+    const auto oncoming = hn::And(met, hn::Lt(hn::Add(hn::Mul(wx, ox), hn::Mul(wy, oy)), hn::Zero(kD)));
     const V gap = hn::Max(hn::Sub(along, hn::Sqrt(hn::Max(under, hn::Zero(kD)))), hn::Zero(kD));
-    const V leader = hn::Add(hn::Mul(hn::GatherIndex(kD, work.vx.data(), other), ex),
-                             hn::Mul(hn::GatherIndex(kD, work.vy.data(), other), ey));
-    const V allowed =
-        hn::Add(hn::Div(gap, set(k.headway)), hn::Mul(set(k.anticipation), hn::Max(leader, hn::Zero(kD))));
-    pace = hn::IfThenElse(ahead, hn::Min(pace, allowed), pace);
+    const V closing = hn::Div(gap, set(k.headway));
+    const V leader = hn::Mul(set(k.anticipation), hn::GatherIndex(kD, work.pace.data(), other));
+    allowed = hn::IfThenElse(ahead, hn::Min(allowed, hn::Add(closing, leader)), allowed);
+    clear = hn::IfThenElse(oncoming, hn::Min(clear, hn::Max(closing, press)), clear);
   }
-  return pace;
+  return {allowed, hn::Min(allowed, clear)};
 }
 
 void heed(HeedWork& work, const HeedConstants& k, const NeighbourRows& rows, std::size_t chunk) {
@@ -69,13 +74,15 @@ void heed(HeedWork& work, const HeedConstants& k, const NeighbourRows& rows, std
       const VI self = hn::Add(hn::Set(kDI, static_cast<std::int32_t>(i)), hn::Iota(kDI, 0));
       const Walkers w{i, self, rows.items.data() + rows.first[at] * kLanes + lane, rows.first[at + 1] - rows.first[at]};
       const V ex = hn::Load(kD, work.ex.data() + i), ey = hn::Load(kD, work.ey.data() + i);
-      V pace = pace_along(work, k, w, ex, ey), best = pace, best_x = ex, best_y = ey;
+      const Paces straight = paces_along(work, k, w, ex, ey);
+      V pace = straight.allowed, best = straight.clear, best_x = ex, best_y = ey;
       for (std::size_t t = 0; t < k.turns; ++t) {
         const V c = set(k.turn_cos[t]), s = set(k.turn_sin[t]);
         const V tx = hn::Sub(hn::Mul(c, ex), hn::Mul(s, ey)), ty = hn::Add(hn::Mul(s, ex), hn::Mul(c, ey));
-        const V turned = pace_along(work, k, w, tx, ty), gain = hn::Mul(c, turned);
+        const Paces turned = paces_along(work, k, w, tx, ty);
+        const V gain = hn::Mul(c, turned.clear);
         const auto better = hn::Gt(gain, best);
-        best = hn::IfThenElse(better, gain, best), pace = hn::IfThenElse(better, turned, pace);
+        best = hn::IfThenElse(better, gain, best), pace = hn::IfThenElse(better, turned.allowed, pace);
         best_x = hn::IfThenElse(better, tx, best_x), best_y = hn::IfThenElse(better, ty, best_y);
       }
       hn::Store(hn::Mul(pace, best_x), kD, work.wish_x.data() + i);
@@ -110,12 +117,13 @@ HeedConstants heed_constants(const scene::PbdModel& p) {
 void take(HeedWork& work, const Agents& agents) {
   work.count = agents.size();
   const std::size_t room = (work.count + kLanes - 1) / kLanes * kLanes + kLanes;
-  for (FloatArray* array : {&work.x, &work.y, &work.vx, &work.vy, &work.radius, &work.ex, &work.ey, &work.speed,
-                            &work.wish_x, &work.wish_y})
+  for (FloatArray* array : {&work.x, &work.y, &work.vx, &work.vy, &work.pace, &work.radius, &work.ex, &work.ey,
+                            &work.speed, &work.wish_x, &work.wish_y})
     array->resize(room, 0.0f);
   for (std::size_t i = 0; i < work.count; ++i) {
     work.x[i] = agents.x[i], work.y[i] = agents.y[i], work.vx[i] = agents.vx[i], work.vy[i] = agents.vy[i];
     work.radius[i] = agents.radius[i];
+    work.pace[i] = std::sqrt(agents.vx[i] * agents.vx[i] + agents.vy[i] * agents.vy[i]);
     const float x = agents.wish_x[i], y = agents.wish_y[i], speed = std::sqrt(x * x + y * y);
     const float inverse = 1 / std::max(speed, 1e-12f);
     work.speed[i] = speed, work.ex[i] = x * inverse, work.ey[i] = y * inverse;

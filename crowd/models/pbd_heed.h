@@ -7,18 +7,19 @@
 /// Along a direction e nobody wishes to walk faster than the gaps ahead allow, as in collision-free speed models
 /// [Tordeux16], with what is known of the leader's own pace:
 ///
-///   p_i(e) = min(|wish_i|, min over j ahead of s_ij(e) / T + lambda max(v_j.e, 0))
+///   p_i(e) = min(|wish_i|, min over j ahead of s_ij(e) / T + lambda |v_j|)
 ///   s_ij(e) = a - R sqrt(1 - (c / (beta R))^2),   R = r_i + r_j + l
 ///
 /// a and c are j's distances along and across e: bodies are ellipses here, of depth R and breadth beta R. Ahead is who
 /// meets this ellipse, a > 0, and of two only the one behind heeds the other, d.(e + e_j) > 0 with d from i to j:
-/// nobody waits for someone who waits for him, and who comes the other way is the business of collisions to come. At
-/// equal speeds the headway is (1 - lambda) T.
+/// nobody waits for someone who waits for him. At equal speeds the headway is (1 - lambda) T. The leader's speed counts
+/// whichever way he goes: round a corner he leaves the way too.
 ///
 /// Of the wish's own direction and six others up to the widest sidestep the one with the longest way towards the goal
-/// is taken, max over phi of p_i(e_phi) cos phi, after the first rule of [Moussaid11]; straight ahead wins ties, then
-/// the smaller turn, then the turn to the right. So people spread over the width of a passage instead of queueing for
-/// its corners.
+/// is taken, max over phi of q_i(e_phi) cos phi, after the first rule of [Moussaid11]; straight ahead wins ties, then
+/// the smaller turn, then the turn to the right. q is p, but also those count, as if they stood, who come the other way
+/// (e_i.e_j < 0): nobody slows down for them, people step aside. So they spread over the width of a passage instead of
+/// queueing for its corners, and opposing flows part into lanes.
 namespace inhabit::crowd::pbd_model {
 
 struct HeedConstants {
@@ -30,14 +31,17 @@ struct HeedConstants {
   std::size_t turns = 0;
   std::array<float, kTurns> turn_cos{}, turn_sin{};
 };
+/// Who comes the other way bars a direction down to this share of the speed wished, not more: with both sides barred
+/// people walk on and press past each other.
+constexpr float kPress = 0.15f;
 HeedConstants heed_constants(const scene::PbdModel& parameters);
 
 /// Arrays padded to whole blocks, in the agents' order.
 struct HeedWork {
   std::size_t count = 0;
-  FloatArray x, y, vx, vy, radius;
-  FloatArray ex, ey, speed;   ///< the wish: its direction, 0 for those who want to stand, and its length
-  FloatArray wish_x, wish_y;  ///< the result
+  FloatArray x, y, vx, vy, pace, radius;  ///< pace: |v|
+  FloatArray ex, ey, speed;               ///< the wish: its direction, 0 for those who want to stand, and its length
+  FloatArray wish_x, wish_y;              ///< the result
 };
 void take(HeedWork& work, const Agents& agents);
 

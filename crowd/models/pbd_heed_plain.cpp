@@ -10,24 +10,26 @@ struct Vec {
 };
 float dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y; }
 
-/// p(e) of agent i, whose neighbour in row r is `neighbour(r)`.
+/// p(e) and q(e) of agent i, whose neighbour in row r is `neighbour(r)`.
+struct Paces {
+  float allowed = 0, clear = 0;
+};
 template <class F>
-float pace_along(const HeedWork& work, const HeedConstants& k, std::size_t i, std::uint32_t rows, F&& neighbour,
-                 Vec e) {
-  float pace = work.speed[i];
+Paces paces_along(const HeedWork& work, const HeedConstants& k, std::size_t i, std::uint32_t rows, F&& neighbour,
+                  Vec e) {
+  float allowed = work.speed[i], clear = allowed;
   for (std::uint32_t r = 0; r < rows; ++r) {
     const std::size_t j = neighbour(r);
-    const Vec d = {work.x[j] - work.x[i], work.y[j] - work.y[i]};
+    const Vec d = {work.x[j] - work.x[i], work.y[j] - work.y[i]}, other = {work.ex[j], work.ey[j]};
     const float along = dot(d, e), across = (d.y * e.x - d.x * e.y) * k.slimness;
     const float reach = work.radius[i] + work.radius[j] + k.length;
     const float under = reach * reach - across * across;
-    const bool behind = !(along + dot(d, {work.ex[j], work.ey[j]}) > 0);
-    if (j == i || !(along > 0) || !(under > 0) || behind) continue;
-    const float gap = std::max(along - std::sqrt(under), 0.0f);
-    const float leader = std::max(dot({work.vx[j], work.vy[j]}, e), 0.0f);
-    pace = std::min(pace, gap / k.headway + k.anticipation * leader);
+    if (j == i || !(along > 0) || !(under > 0)) continue;
+    const float closing = std::max(along - std::sqrt(under), 0.0f) / k.headway;
+    if (along + dot(d, other) > 0) allowed = std::min(allowed, closing + k.anticipation * work.pace[j]);
+    if (dot({work.ex[i], work.ey[i]}, other) < 0) clear = std::min(clear, std::max(closing, kPress * work.speed[i]));
   }
-  return pace;
+  return {allowed, std::min(allowed, clear)};
 }
 
 }  // namespace
@@ -39,17 +41,18 @@ void heed(HeedWork& work, const HeedConstants& k, const NeighbourRows& rows, std
     const auto neighbour = [&](std::uint32_t r) {
       return static_cast<std::size_t>(rows.items[(rows.first[block] + r) * kLanes + lane]);
     };
-    const auto pace_of = [&](Vec e) {
-      return pace_along(work, k, i, rows.first[block + 1] - rows.first[block], neighbour, e);
+    const auto paces = [&](Vec e) {
+      return paces_along(work, k, i, rows.first[block + 1] - rows.first[block], neighbour, e);
     };
     const Vec straight = {work.ex[i], work.ey[i]};
     Vec e = straight;
-    float pace = pace_of(e), best = pace;
+    const Paces ahead = paces(e);
+    float pace = ahead.allowed, best = ahead.clear;
     for (std::size_t t = 0; t < k.turns; ++t) {
       const float c = k.turn_cos[t], s = k.turn_sin[t];
       const Vec turned = {c * straight.x - s * straight.y, s * straight.x + c * straight.y};
-      const float there = pace_of(turned);
-      if (c * there > best) best = c * there, pace = there, e = turned;
+      const Paces there = paces(turned);
+      if (c * there.clear > best) best = c * there.clear, pace = there.allowed, e = turned;
     }
     work.wish_x[i] = pace * e.x, work.wish_y[i] = pace * e.y;
   }
