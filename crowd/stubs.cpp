@@ -1,2 +1,0 @@
-#include "crowd/model_table.h"
-#include "crowd/simulation.h"
