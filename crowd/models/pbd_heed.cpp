@@ -10,19 +10,10 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "crowd/models/pbd_vectors-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace inhabit::crowd::pbd_model::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
-using D = HWY_CAPPED(float, kLanes);
-using DI = hn::Rebind<std::int32_t, D>;
-using V = hn::Vec<D>;
-using VI = hn::Vec<DI>;
-constexpr D kD;
-constexpr DI kDI;
-
-HWY_INLINE V set(float value) { return hn::Set(kD, value); }
-
 /// A vector of agents and their neighbours, row by row.
 struct Walkers {
   std::size_t first;

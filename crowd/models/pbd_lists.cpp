@@ -8,6 +8,8 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "crowd/models/pbd_vectors-inl.h"
+
 #ifndef INHABIT_PBD_LISTS_ONCE
 #define INHABIT_PBD_LISTS_ONCE
 namespace inhabit::crowd::pbd_model {
@@ -44,33 +46,16 @@ inline void keep_nearest(Candidates& c, std::size_t limit) {
 
 HWY_BEFORE_NAMESPACE();
 namespace inhabit::crowd::pbd_model::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
-using D = HWY_CAPPED(float, kLanes);
-using DI = hn::Rebind<std::int32_t, D>;
-constexpr D kD;
-constexpr DI kDI;
-
-HWY_INLINE void load_pairs(const FloatArray& pairs, std::size_t i, hn::Vec<D>& x, hn::Vec<D>& y) {
-  const auto low = hn::LoadU(kD, pairs.data() + 2 * i), high = hn::LoadU(kD, pairs.data() + 2 * i + hn::Lanes(kD));
-#if HWY_TARGET == HWY_SCALAR
-  x = low, y = high;
-#else
-  x = hn::ConcatEven(kD, high, low), y = hn::ConcatOdd(kD, high, low);
-#endif
-}
 
 /// Adds those of the run [begin, end) that are nearer than `reach`, plus their own grown radius when `growth` > 0.
 HWY_INLINE void collect(const Work& work, std::uint32_t i, std::uint32_t begin, std::uint32_t end, float reach,
                         float growth, std::size_t limit, Candidates& out) {
-  const auto xi = hn::Set(kD, work.at[2 * i]), yi = hn::Set(kD, work.at[2 * i + 1]);
-  hn::Vec<D> x, y;
+  const Pair own_place{set(work.at[2 * i]), set(work.at[2 * i + 1])};
   const auto own = hn::Set(kDI, static_cast<std::int32_t>(i)), last = hn::Set(kDI, static_cast<std::int32_t>(end));
   for (std::uint32_t j = begin; j < end; j += static_cast<std::uint32_t>(hn::Lanes(kD))) {
-    const auto index = hn::Add(hn::Set(kDI, static_cast<std::int32_t>(j)), hn::Iota(kDI, 0));
-    load_pairs(work.at, j, x, y);
-    const auto dx = hn::Sub(x, xi), dy = hn::Sub(y, yi);
-    const auto d2 = hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy));
+    const VI index = count_from(j);
+    const Pair d = load(work.at, j) - own_place;
+    const V d2 = dot(d, d);
     auto radius = hn::Set(kD, reach);
     if (growth > 0) radius = hn::Add(radius, hn::Mul(hn::LoadU(kD, work.radius.data() + j), hn::Set(kD, growth)));
     auto near = hn::Lt(d2, hn::Mul(radius, radius));
@@ -205,7 +190,7 @@ void find_walls(Work& work, const Walls& walls, const Reach& reach, std::size_t 
   const std::size_t begin = chunk * kChunk, end = std::min(begin + kChunk, work.count);
   for (std::size_t i = begin; i < end; ++i) {
     const float x = work.at[2 * i], y = work.at[2 * i + 1];
-    const float near = (work.alike() ? work.common_radius : work.radius[i]) + reach.skin;
+    const float near = ((work.alike() ? work.common_radius : work.radius[i])) + reach.skin;
     walls.for_each_near(x, y, [&](const WallSegment& s, std::uint32_t k) {
       if ((s.bx - s.ax) * (y - s.ay) - (s.by - s.ay) * (x - s.ax) < 0) return;  // seen from behind
       const WallPoint p = nearest_point(s, x, y);
