@@ -1,6 +1,8 @@
 #include "crowd/models/pbd.h"
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 #include "core/parallel.h"
 #include "crowd/grid.h"
@@ -18,6 +20,10 @@ constexpr float kStepsPerSearch = 10;
 constexpr double kFarPasses = 6;
 /// Pushed apart by less than this, nobody comes nearer to others than the margin of contacts allows for, metres.
 constexpr float kThrow = 1e-3f;
+/// Pushed apart by more than this share of the largest radius, people need shorter sub-steps; after so many steps
+/// without that, longer ones are tried.
+constexpr float kDeep = 1e-3f;
+constexpr int kCalmSteps = 12;
 /// Fewer agents than this are one thread's work: starting others takes longer.
 constexpr std::size_t kSerial = 2048;
 
@@ -39,6 +45,7 @@ struct Pbd::State {
   std::vector<float> strayed, speeds;
   std::size_t rebuilds = 0;
   int threads = 0;
+  int calm = 0;  ///< steps without deep overlaps since the number of sub-steps changed
   HeedWork heeding;
   std::vector<float> asked_x, asked_y;  ///< wishes as the planner wrote them
   std::size_t steps = 0;
@@ -60,6 +67,8 @@ struct Pbd::State {
   }
 
   void set_constants(float dt);
+  void set_parts(int parts);
+  void choose_parts(float thrown);
   bool fresh(const Agents& agents);
   void search(Agents& agents, const Walls& walls);
   void take(const Agents& agents);
@@ -81,10 +90,7 @@ void Pbd::State::set_constants(float dt) {
   if (k.dt == dt) return;
   const Parameters& p = parameters;
   k.dt = dt;
-  k.parts = p.sub_steps;
-  k.part = dt / static_cast<float>(p.sub_steps);
-  k.inverse_part = 1 / k.part;
-  k.blend = std::min(1.0f, k.part / static_cast<float>(p.relaxation_time));
+  set_parts(p.sub_steps);
   k.growth = static_cast<float>(1 + p.contact_margin);
   k.over_relaxation = static_cast<float>(p.over_relaxation);
   k.static_friction = static_cast<float>(p.static_friction);
@@ -99,6 +105,26 @@ void Pbd::State::set_constants(float dt) {
     stiffness.push_back(
         static_cast<float>(std::round(whole * std::exp(-delay * delay / p.far_horizon) * 0x1p24) * 0x1p-24));
   k.stiffness_of_delay = stiffness.data();
+}
+
+void Pbd::State::set_parts(int parts) {
+  Constants& k = constants;
+  k.parts = parts;
+  k.part = k.dt / static_cast<float>(parts);
+  k.inverse_part = 1 / k.part;
+  k.blend = std::min(1.0f, k.part / static_cast<float>(parameters.relaxation_time));
+  calm = 0;
+}
+
+/// As few sub-steps as keep people apart.
+void Pbd::State::choose_parts(float thrown) {
+  const int parts = constants.parts, fewest = getenv("FEW") ? atoi(getenv("FEW")) : 8;
+  if (thrown > kDeep * work.common_radius) {
+    calm = 0;
+    if (parts < parameters.sub_steps) set_parts(std::min(2 * parts, parameters.sub_steps));
+  } else if (++calm >= kCalmSteps && parts > fewest) {
+    set_parts(std::max(parts / 2, fewest));
+  }
 }
 
 /// Whether the neighbours found last will do for this step too.
@@ -230,6 +256,7 @@ void Pbd::State::part_overlaps(const Walls& walls) {
     for_each_busy([&](std::size_t c) { settle(work, constants, c); });
     float most = 0;
     for (const std::size_t c : busy) most = std::max(most, work.chunks[c].thrown);
+    if (round == 0) choose_parts(most);
     thrown += most;
   }
   // Whoever was thrown may be near others now.
@@ -241,7 +268,7 @@ void Pbd::State::part_overlaps(const Walls& walls) {
 /// The sub-steps of those who may touch somebody.
 void Pbd::State::contend(const Walls& walls) {
   for_each_busy([&](std::size_t c) { predict(work, constants, c); });
-  for (int part = 0; part < parameters.sub_steps; ++part) {
+  for (int part = 0; part < constants.parts; ++part) {
     for (int round = 1; round <= parameters.iterations; ++round) {
       for_each_busy([&](std::size_t c) {
         project(work, constants, c);
@@ -300,6 +327,12 @@ void Pbd::step(Agents& agents, const Surroundings& around) {
   if (s.parameters.headway > 0) s.heed_others(agents);
   s.advance(around.walls);
   ++s.steps;
+  static double sum = 0;
+  sum += s.constants.parts;
+  if (s.steps % 144 == 0 && getenv("STAT")) {
+    fprintf(stderr, "parts %.2f\n", sum / 144);
+    sum = 0;
+  }
   s.give(agents);
 }
 
@@ -331,16 +364,17 @@ Effort Pbd::effort() const {
   struct Loop {
     double times, entries, flops_each, bytes_each, agents, flops, bytes;
   };
-  const double passes = p.sub_steps * p.iterations;
+  const int parts = s.constants.parts;
+  const double passes = parts * p.iterations;
   const Loop loops[] = {
       {s.constants.far != 0 ? 1.0 : 0.0, 0, 0, 0, all, 6, 24},       // intend
       {s.constants.far != 0 ? 1.0 : 0.0, far, 56, 20, all, 12, 24},  // foresee
       {1, contacts, 8, 12, all, 0, 8},                               // narrow
-      {1, 0, 0, 0, all - busy, 15.0 * p.sub_steps, 60},              // glide
+      {1, 0, 0, 0, all - busy, 15.0 * parts, 60},                    // glide
       {static_cast<double>(p.stability_iterations), near, 24, 12, busy, 10, 40},
-      {1, 0, 0, 0, busy, 10, 48},                                 // predict
-      {passes, near, 42, 20, busy, 8, 24},                        // project
-      {static_cast<double>(p.sub_steps), 0, 0, 0, busy, 38, 92},  // finish
+      {1, 0, 0, 0, busy, 10, 48},                           // predict
+      {passes, near, 42, 20, busy, 8, 24},                  // project
+      {static_cast<double>(parts), 0, 0, 0, busy, 38, 92},  // finish
   };
   Effort effort;
   for (const Loop& loop : loops) {

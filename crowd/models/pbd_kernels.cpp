@@ -18,6 +18,12 @@ struct Contact {
   V depth;
 };
 
+/// Whether two touch of whom the first is d away from the second.
+HWY_INLINE M touch(const Work& work, const Self& self, VI other, Pair d, float growth) {
+  const V reach = reach_of(work, self, other, growth);
+  return hn::AndNot(hn::RebindMask(kD, hn::Eq(self.index, other)), hn::Lt(dot(d, d), hn::Mul(reach, reach)));
+}
+
 /// Contact of agents `self` at xi with `other` among `places`. Coincident agents are pushed apart along x, the lower
 /// index to the left. [thesis eq. 4.2]
 HWY_INLINE Contact contact(const Work& work, const Self& self, VI other, Pair xi, const FloatArray& places,
@@ -26,7 +32,7 @@ HWY_INLINE Contact contact(const Work& work, const Self& self, VI other, Pair xi
   const V d2 = dot(d, d), reach = reach_of(work, self, other, growth);
   Contact c;
   c.d = d;
-  c.touching = hn::AndNot(hn::RebindMask(kD, hn::Eq(self.index, other)), hn::Lt(d2, hn::Mul(reach, reach)));
+  c.touching = touch(work, self, other, d, growth);
   if (hn::AllFalse(kD, c.touching)) return c;
   const M coincident = hn::Lt(d2, set(kCoincident));
   const V inverse = inverse_root(hn::IfThenElse(coincident, set(1), d2));
@@ -181,8 +187,21 @@ HWY_INLINE Pair rubbed(const Constants& k, const Contact& c, Pair u) {
   return scaled(hn::IfThenElse(hn::Lt(square, hn::Mul(still, still)), set(1), kinetic), t);
 }
 
-void project(Work& work, const Constants& k, std::size_t chunk) {
-  const bool friction = k.static_friction > 0 || k.kinetic_friction > 0;
+/// What one contact asks of an agent; nothing where the mask is false.
+HWY_INLINE Pair push_of(const Work& work, const Constants& k, const Self& self, VI other, const Contact& c, Pair at,
+                        Pair other_at) {
+  Pair push = scaled(c.depth, c.n);
+  if (k.static_friction > 0 || k.kinetic_friction > 0) push = push - rubbed(k, c, c.d - (at - other_at));
+  return kept(c.touching, scaled(share_of(work, self, other), push));
+}
+
+/// Sums of pushes and numbers of contacts of a chunk's agents.
+struct Sums {
+  alignas(64) std::array<float, kChunk> x{}, y{}, touches{};
+};
+
+/// Contacts row by row: best where most of a row touch.
+HWY_INLINE void add_by_rows(const Work& work, const Constants& k, std::size_t chunk, Sums& sums) {
   for_each_vector<Which::busy>(work, work.chunks[chunk].near, chunk,
                                [&](std::size_t i, VI index, const std::int32_t* items, std::uint32_t rows) {
                                  const Pair xi = load(work.predicted, i), at = load(work.at, i);
@@ -193,14 +212,83 @@ void project(Work& work, const Constants& k, std::size_t chunk) {
                                    const VI other = hn::Load(kDI, items + r * kLanes);
                                    const Contact c = contact(work, self, other, xi, work.predicted, k.growth);
                                    if (hn::AllFalse(kD, c.touching)) continue;
-                                   Pair push = scaled(c.depth, c.n);
-                                   if (friction) push = push - rubbed(k, c, c.d - (at - gather(work.at, other)));
-                                   sum = sum + kept(c.touching, scaled(share_of(work, self, other), push));
+                                   sum = sum + push_of(work, k, self, other, c, at, gather(work.at, other));
                                    touches = hn::Add(touches, hn::IfThenElseZero(c.touching, set(1)));
                                  }
-                                 const V factor = relaxed(k, touches);
-                                 store(xi + scaled(factor, sum), work.corrected, i);
+                                 const std::size_t local = i - chunk * kChunk;
+                                 hn::Store(sum.x, kD, sums.x.data() + local),
+                                     hn::Store(sum.y, kD, sums.y.data() + local);
+                                 hn::Store(touches, kD, sums.touches.data() + local);
                                });
+}
+
+/// Pairs that touch, of agents and others, in order of blocks and rows.
+struct Queue {
+  static constexpr std::size_t kRoom = 1024;
+  alignas(64) std::array<std::int32_t, kRoom + kLanes> agent, other;
+  std::size_t count = 0;
+};
+
+/// Adds what the queue's contacts ask for and empties it: every lane has work to do.
+HWY_INLINE void add_queue(const Work& work, const Constants& k, std::size_t chunk, Queue& queue, Sums& sums) {
+  const std::size_t begin = chunk * kChunk, lanes = hn::Lanes(kD);
+  // The last vector is filled up with somebody who touches himself, which is nothing.
+  for (std::size_t e = queue.count; e < queue.count + lanes; ++e)
+    queue.agent[e] = queue.other[e] = static_cast<std::int32_t>(begin);
+  alignas(64) std::array<float, kLanes> x, y;
+  for (std::size_t e = 0; e < queue.count; e += lanes) {
+    const VI index = hn::Load(kDI, queue.agent.data() + e), other = hn::Load(kDI, queue.other.data() + e);
+    const Self self = selves(work, index);
+    const Contact c = contact(work, self, other, gather(work.predicted, index), work.predicted, k.growth);
+    const Pair push = push_of(work, k, self, other, c, gather(work.at, index), gather(work.at, other));
+    hn::Store(push.x, kD, x.data()), hn::Store(push.y, kD, y.data());
+    for (std::size_t l = 0; l < std::min(lanes, queue.count - e); ++l) {
+      const std::size_t local = static_cast<std::size_t>(queue.agent[e + l]) - begin;
+      sums.x[local] += x[l], sums.y[local] += y[l], sums.touches[local] += 1;
+    }
+  }
+  queue.count = 0;
+}
+
+/// The same sums in the same order, but first it is only asked who touches: best where few do.
+HWY_INLINE void add_by_pairs(const Work& work, const Constants& k, std::size_t chunk, Sums& sums) {
+  Queue queue;
+  for_each_vector<Which::busy>(work, work.chunks[chunk].near, chunk,
+                               [&](std::size_t i, VI index, const std::int32_t* items, std::uint32_t rows) {
+                                 const Pair xi = load(work.predicted, i);
+                                 const Self self = self_at(work, index, i);
+                                 for (std::uint32_t r = 0; r < rows; ++r) {
+                                   const VI other = hn::Load(kDI, items + r * kLanes);
+                                   const M touching =
+                                       touch(work, self, other, xi - gather(work.predicted, other), k.growth);
+                                   if (hn::AllFalse(kD, touching)) continue;
+                                   const auto mask = hn::RebindMask(kDI, touching);
+                                   hn::CompressStore(index, mask, kDI, queue.agent.data() + queue.count);
+                                   queue.count += hn::CompressStore(other, mask, kDI, queue.other.data() + queue.count);
+                                   if (queue.count > Queue::kRoom - kLanes) add_queue(work, k, chunk, queue, sums);
+                                 }
+                               });
+  add_queue(work, k, chunk, queue, sums);
+}
+
+void project(Work& work, const Constants& k, std::size_t chunk) {
+  Chunk& c = work.chunks[chunk];
+  Sums sums;
+  if (c.crowded)
+    add_by_rows(work, k, chunk, sums);
+  else
+    add_by_pairs(work, k, chunk, sums);
+  V all = hn::Zero(kD);
+  for_each_vector_of(work, chunk, true, [&](std::size_t i) {
+    const std::size_t local = i - chunk * kChunk;
+    const V touches = hn::Load(kD, sums.touches.data() + local);
+    all = hn::Add(all, touches);
+    const Pair sum = {hn::Load(kD, sums.x.data() + local), hn::Load(kD, sums.y.data() + local)};
+    store(load(work.predicted, i) + scaled(relaxed(k, touches), sum), work.corrected, i);
+  });
+  // Both ways give the same bits, so that it does not matter when they change.
+  const float rows = static_cast<float>(c.near.first[work.blocks_of(chunk)]);
+  c.crowded = hn::GetLane(hn::SumOfLanes(kD, all)) > kCrowded * rows * static_cast<float>(kLanes);
 }
 
 void finish(Work& work, const Constants& k, std::size_t chunk) {

@@ -103,6 +103,10 @@ HWY_INLINE Self self_at(const Work& work, VI index, std::size_t i) {
   if (work.alike()) return {index, set(work.common_radius), set(1)};
   return {index, hn::Load(kD, work.radius.data() + i), hn::Load(kD, work.mass.data() + i)};
 }
+HWY_INLINE Self selves(const Work& work, VI index) {
+  if (work.alike()) return {index, set(work.common_radius), set(1)};
+  return {index, hn::GatherIndex(kD, work.radius.data(), index), hn::GatherIndex(kD, work.mass.data(), index)};
+}
 /// (r_i + r_j) * growth.
 HWY_INLINE V reach_of(const Work& work, const Self& self, VI other, float growth) {
   if (work.alike()) return set(2 * work.common_radius * growth);

@@ -43,7 +43,8 @@ struct Chunk {
   NeighbourRows near;  ///< those of `contacts` who may touch somebody before the step is over
   std::array<std::uint8_t, kBlocksPerChunk> busy{};  ///< blocks that have such or walls; the others walk freely
   std::uint32_t busy_count = 0;
-  float thrown = 0;  ///< how far stabilising has moved somebody, metres
+  bool crowded = false;  ///< so many touch each other that whole rows are the quicker way
+  float thrown = 0;      ///< how far stabilising has moved somebody, metres
 };
 
 /// What a step needs of the agents, in their order. Arrays without a remark are pairs.
