@@ -105,6 +105,8 @@ struct Planner::Plans {
   bool arrived(const Agents& agents, std::size_t i) const;
   Region::Way along_path(const Agents& agents, std::size_t i, const Leg& leg);
   Region::Way wish(const Agents& agents, std::size_t i, const Leg& leg);
+  /// Whether all of those agents walk straight to the same rectangle; then `leg` is theirs.
+  bool same_straight(const Agents& agents, std::size_t begin, std::size_t end, std::uint32_t& leg) const;
   void aim(Agents& agents, std::size_t begin, std::size_t end);
 };
 
@@ -291,7 +293,44 @@ Region::Way Planner::Plans::wish(const Agents& agents, std::size_t i, const Leg&
   return {scale * way.x, scale * way.y};
 }
 
+bool Planner::Plans::same_straight(const Agents& agents, std::size_t begin, std::size_t end, std::uint32_t& leg) const {
+  leg = leg_index(agents, begin);
+  if (leg == kNoLeg || legs[leg].how != How::straight || legs[leg].goals.size() != 1) return false;
+  const Place& place = places[legs[leg].goals[0]];
+  if (!place.aim.is_box || !place.area.is_box) return false;
+  bool same = true;
+  for (std::size_t i = begin; i < end; ++i)
+    same =
+        same & (agents.route[i] == agents.route[begin]) & (agents.leg[i] == agents.leg[begin]) & !(agents.wait[i] > 0);
+  return same;
+}
+
+namespace {
+
+/// Wishes to walk straight to a place of rectangles, as `wish` has them; without branches, which makes vectors of it.
+void aim_at(const Place& place, Agents& agents, std::size_t begin, std::size_t end) {
+  const Region &aim = place.aim, &area = place.area;
+  const float *x = agents.x.data(), *y = agents.y.data(), *speed = agents.preferred_speed.data();
+  float *wish_x = agents.wish_x.data(), *wish_y = agents.wish_y.data();
+  const auto into = [](float low, float high, float at) { return std::min(std::max(at, low), high) - at; };
+  for (std::size_t i = begin; i < end; ++i) {
+    const float ax = into(aim.min_x, aim.max_x, x[i]), ay = into(aim.min_y, aim.max_y, y[i]);
+    const float bx = into(area.min_x, area.max_x, x[i]), by = into(area.min_y, area.max_y, y[i]);
+    const bool on_aim = (ax == 0) & (ay == 0);
+    const float wx = on_aim ? bx : ax, wy = on_aim ? by : ay;
+    const float distance = std::sqrt(wx * wx + wy * wy);
+    const float scale = distance > 0 ? speed[i] / distance : 0.0f;
+    wish_x[i] = scale * wx, wish_y[i] = scale * wy;
+  }
+}
+
+}  // namespace
+
 void Planner::Plans::aim(Agents& agents, std::size_t begin, std::size_t end) {
+  if (std::uint32_t leg = 0; same_straight(agents, begin, end, leg)) {
+    aim_at(places[legs[leg].goals[0]], agents, begin, end);
+    return;
+  }
   std::array<std::uint32_t, kBlock> field;
   bool any_field = false;
   for (std::size_t i = begin; i < end; ++i) {

@@ -13,7 +13,7 @@ struct PbdModel {
   Choice preset = 0;
   Choice far = 0;  ///< what is done about collisions to come: FarField
   double relaxation_time = 0.54, contact_margin = 0.02, over_relaxation = 1.8;
-  int stability_iterations = 1, iterations = 1, sub_steps = 8;
+  int stability_iterations = 1, iterations = 1, sub_steps = 8, fewest_sub_steps = 2;
   double static_friction = 0.21, kinetic_friction = 0.10;
   double cohesion = 0, cohesion_range = 7;
   double far_stiffness = 0.24, far_horizon = 20, far_range = 5;
@@ -35,7 +35,10 @@ struct PbdModel {
       Field<PbdModel>{"stability_iterations", &PbdModel::stability_iterations,
                       "projections of contacts left from the step before", "", 0, 100},
       Field<PbdModel>{"iterations", &PbdModel::iterations, "projections in a step, of each sub-step", "", 1, 1000},
-      Field<PbdModel>{"sub_steps", &PbdModel::sub_steps, "parts of a step, with the same neighbours", "", 1, 64},
+      Field<PbdModel>{"sub_steps", &PbdModel::sub_steps,
+                      "parts of a step, with the same neighbours, while people overlap", "", 1, 64},
+      Field<PbdModel>{"fewest_sub_steps", &PbdModel::fewest_sub_steps,
+                      "parts of a step while nobody does; never more than sub_steps", "", 1, 64},
       Field<PbdModel>{"static_friction", &PbdModel::static_friction, "mu_s", "", 0, 10},
       Field<PbdModel>{"kinetic_friction", &PbdModel::kinetic_friction, "mu_k", "", 0, 10},
       Field<PbdModel>{"cohesion", &PbdModel::cohesion, "share of the neighbours' mean velocity taken over in a step",

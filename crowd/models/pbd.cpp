@@ -1,8 +1,6 @@
 #include "crowd/models/pbd.h"
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include "core/parallel.h"
 #include "crowd/grid.h"
@@ -20,7 +18,7 @@ constexpr float kStepsPerSearch = 10;
 constexpr double kFarPasses = 6;
 /// Pushed apart by less than this, nobody comes nearer to others than the margin of contacts allows for, metres.
 constexpr float kThrow = 1e-3f;
-/// Pushed apart by more than this share of the largest radius, people need shorter sub-steps; after so many steps
+/// Pushed apart by more than this share of the smallest radius, people need shorter sub-steps; after so many steps
 /// without that, longer ones are tried.
 constexpr float kDeep = 1e-3f;
 constexpr int kCalmSteps = 12;
@@ -29,6 +27,24 @@ constexpr std::size_t kSerial = 2048;
 
 /// Room for whole blocks and for what vectors read beyond the last one.
 std::size_t padded(std::size_t count) { return (count + kLanes - 1) / kLanes * kLanes + kLanes; }
+
+}  // namespace
+
+namespace {
+
+/// Of a crowd's attributes.
+struct Extremes {
+  float thinnest = 1e30f, widest = 0, lightest = 1e30f, heaviest = 0, wish = 0, fastest = 0;
+  float radii = 0;  ///< their sum
+
+  bool alike() const { return thinnest == widest && lightest == heaviest; }
+  void add(const Extremes& other) {
+    thinnest = std::min(thinnest, other.thinnest), widest = std::max(widest, other.widest);
+    lightest = std::min(lightest, other.lightest), heaviest = std::max(heaviest, other.heaviest);
+    wish = std::max(wish, other.wish), fastest = std::max(fastest, other.fastest);
+    radii += other.radii;
+  }
+};
 
 }  // namespace
 
@@ -43,6 +59,7 @@ struct Pbd::State {
   /// Per chunk, of the agents that came in: the largest square of a way since neighbours were found, or less than 0
   /// when somebody is not where the last step left him; and the fastest that anybody can be.
   std::vector<float> strayed, speeds;
+  float thinnest = 0;  ///< radius, metres
   std::size_t rebuilds = 0;
   int threads = 0;
   int calm = 0;  ///< steps without deep overlaps since the number of sub-steps changed
@@ -70,6 +87,7 @@ struct Pbd::State {
   void set_parts(int parts);
   void choose_parts(float thrown);
   bool fresh(const Agents& agents);
+  Extremes extremes(const Agents& agents);
   void search(Agents& agents, const Walls& walls);
   void take(const Agents& agents);
   void give(Agents& agents);
@@ -118,8 +136,8 @@ void Pbd::State::set_parts(int parts) {
 
 /// As few sub-steps as keep people apart.
 void Pbd::State::choose_parts(float thrown) {
-  const int parts = constants.parts, fewest = getenv("FEW") ? atoi(getenv("FEW")) : 8;
-  if (thrown > kDeep * work.common_radius) {
+  const int parts = constants.parts, fewest = std::min(parameters.fewest_sub_steps, parameters.sub_steps);
+  if (thrown > kDeep * thinnest) {
     calm = 0;
     if (parts < parameters.sub_steps) set_parts(std::min(2 * parts, parameters.sub_steps));
   } else if (++calm >= kCalmSteps && parts > fewest) {
@@ -171,28 +189,34 @@ void Pbd::State::give(Agents& agents) {
   });
 }
 
+Extremes Pbd::State::extremes(const Agents& agents) {
+  const std::size_t n = agents.size();
+  std::vector<Extremes> parts((n + kSerial - 1) / kSerial);
+  core::parallel_for(parts.size(), threads, [&](std::size_t k) {
+    Extremes part;
+    for (std::size_t i = k * kSerial; i < std::min((k + 1) * kSerial, n); ++i)
+      part.add({agents.radius[i], agents.radius[i], agents.mass[i], agents.mass[i], agents.preferred_speed[i],
+                agents.maximum_speed[i], agents.radius[i]});
+    parts[k] = part;
+  });
+  Extremes all;
+  for (const Extremes& part : parts) all.add(part);
+  return all;
+}
+
 void Pbd::State::search(Agents& agents, const Walls& walls) {
   const std::size_t n = agents.size();
   ++rebuilds;
-  const auto [thin, wide] = std::ranges::minmax_element(agents.radius);
-  const auto [light, heavy] = std::ranges::minmax_element(agents.mass);
-  const bool alike = *thin == *wide && *light == *heavy;
-  const float widest = *wide;
-  float wish = 0, total = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    wish = std::max(wish, agents.preferred_speed[i]);
-    total += agents.radius[i];
-  }
-  const float fastest = *std::ranges::max_element(agents.maximum_speed);
+  const Extremes all = extremes(agents);
   // Lasts for some steps of the fastest walker after the first, in which anybody may move at full speed.
-  constants.skin = 2 * constants.dt * (fastest + (kStepsPerSearch - 1) * wish);
+  constants.skin = 2 * constants.dt * (all.fastest + (kStepsPerSearch - 1) * all.wish);
 
   Reach reach;
   reach.growth = constants.growth, reach.skin = constants.skin;
   reach.far = parameters.far != 0 || parameters.headway > 0 || parameters.cohesion > 0;
   reach.far_range = static_cast<float>(parameters.far_range);
   reach.far_count = static_cast<std::uint32_t>(parameters.far_neighbours);
-  grid.build(agents.x, agents.y, 2 * total / static_cast<float>(n) * constants.growth + constants.skin, threads);
+  grid.build(agents.x, agents.y, 2 * all.radii / static_cast<float>(n) * constants.growth + constants.skin, threads);
   agents.permute(grid.order(), threads);
 
   work.count = n;
@@ -200,12 +224,12 @@ void Pbd::State::search(Agents& agents, const Walls& walls) {
        {&work.at, &work.next, &work.base, &work.moved, &work.predicted, &work.corrected, &work.v, &work.wish})
     pairs->resize(2 * padded(n));
   work.maximum_speed.resize(padded(n));
-  work.radius.assign(alike ? 0 : padded(n), 0), work.mass.assign(alike ? 0 : padded(n), 1);
-  work.common_radius = widest;
+  work.radius.assign(all.alike() ? 0 : padded(n), 0), work.mass.assign(all.alike() ? 0 : padded(n), 1);
+  work.common_radius = all.widest, thinnest = all.thinnest;
   work.chunks.resize((work.blocks() + kBlocksPerChunk - 1) / kBlocksPerChunk);
   take(agents);
   built = work.at;
-  constants.moved = 0, constants.stride = fastest * constants.dt;
+  constants.moved = 0, constants.stride = all.fastest * constants.dt;
   for_each_chunk([&](std::size_t c) {
     find_neighbours(work, grid, reach, c);
     find_walls(work, walls, reach, c);
@@ -327,12 +351,6 @@ void Pbd::step(Agents& agents, const Surroundings& around) {
   if (s.parameters.headway > 0) s.heed_others(agents);
   s.advance(around.walls);
   ++s.steps;
-  static double sum = 0;
-  sum += s.constants.parts;
-  if (s.steps % 144 == 0 && getenv("STAT")) {
-    fprintf(stderr, "parts %.2f\n", sum / 144);
-    sum = 0;
-  }
   s.give(agents);
 }
 

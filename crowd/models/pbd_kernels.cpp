@@ -282,9 +282,13 @@ void project(Work& work, const Constants& k, std::size_t chunk) {
   for_each_vector_of(work, chunk, true, [&](std::size_t i) {
     const std::size_t local = i - chunk * kChunk;
     const V touches = hn::Load(kD, sums.touches.data() + local);
-    all = hn::Add(all, touches);
-    const Pair sum = {hn::Load(kD, sums.x.data() + local), hn::Load(kD, sums.y.data() + local)};
-    store(load(work.predicted, i) + scaled(relaxed(k, touches), sum), work.corrected, i);
+    Pair place = load(work.predicted, i);
+    if (!hn::AllTrue(kD, hn::Eq(touches, hn::Zero(kD)))) {
+      all = hn::Add(all, touches);
+      const Pair sum = {hn::Load(kD, sums.x.data() + local), hn::Load(kD, sums.y.data() + local)};
+      place = place + scaled(relaxed(k, touches), sum);
+    }
+    store(place, work.corrected, i);
   });
   // Both ways give the same bits, so that it does not matter when they change.
   const float rows = static_cast<float>(c.near.first[work.blocks_of(chunk)]);

@@ -9,7 +9,7 @@ namespace inhabit::crowd::pbd_model {
 /// Closer than its root is the same place, square metres.
 constexpr float kCoincident = 1e-12f;
 /// Share of the near ones from which on contacts are added row by row.
-constexpr float kCrowded = 0.3f;
+constexpr float kCrowded = 0.45f;
 /// The thesis's factor on averaged corrections, for collisions to come.
 constexpr float kFarRelaxation = 1.2f;
 
