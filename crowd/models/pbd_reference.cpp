@@ -81,6 +81,14 @@ Vec blended(const Work& work, const Constants& k, std::size_t i) {
   return (1 - k.blend) * at(work.v, i) + k.blend * at(work.wish, i);
 }
 
+/// What is left of the velocity that a contact gives.
+Vec damped(Vec before, Vec after) {
+  const Vec change = after - before;
+  const float square = std::max(dot(change, change), 1e-12f);
+  const float pushed = std::min(std::max(dot(after, change), 0.0f), square);
+  return after - ((1 - kRebound) * pushed / square) * change;
+}
+
 /// Calls f(i) for every agent of a chunk's blocks that are busy, or of those that are not.
 template <class F>
 void for_each_of(const Work& work, std::size_t chunk, bool busy, F&& f) {
@@ -293,8 +301,10 @@ void finish(Work& work, const Constants& k, std::size_t chunk) {
   for_each_of(work, chunk, true, [&](std::size_t i) {
     const Vec begun = at(work.at, i) + k.part * blended(work, k, i);
     const Vec correction = at(work.corrected, i) - begun;
-    put(shortened(blended(work, k, i) + k.inverse_part * correction, work.maximum_speed[i]), work.v, i);
-    put(at(work.moved, i) + k.part * at(work.v, i), work.moved, i);
+    const Vec before = blended(work, k, i);
+    const Vec thrown = shortened(before + k.inverse_part * correction, work.maximum_speed[i]);
+    put(damped(before, thrown), work.v, i);
+    put(at(work.moved, i) + k.part * thrown, work.moved, i);
     put(at(work.base, i) + at(work.moved, i), work.next, i);
     put(at(work.next, i) + k.part * blended(work, k, i), work.corrected, i);
   });
