@@ -102,7 +102,9 @@ std::optional<Vec> response_to_come(const Work& work, const Constants& k, std::s
   const Vec d = at(work.at, i) - at(work.at, j);
   const float reach = reach_of(work, i, j, k.growth);
   const float c = dot(d, d) - reach * reach;
-  const Vec u = c > 0 ? at(work.corrected, i) - at(work.corrected, j) : at(work.wish, i) - at(work.wish, j);
+  const bool against = dot(at(work.wish, i), at(work.wish, j)) < 0;
+  const bool apart = c > (against ? kTouching * (reach * reach) : 0);
+  const Vec u = apart ? at(work.corrected, i) - at(work.corrected, j) : at(work.wish, i) - at(work.wish, j);
   const float a = dot(u, u), b = -dot(d, u);
   const float under = b * b - a * c;
   if (!(b > 0 && under > 0 && a > 1e-6f)) return {};
@@ -116,11 +118,12 @@ std::optional<Vec> response_to_come(const Work& work, const Constants& k, std::s
   const float weight = share_of(work, i, j) * stiffness;
   Vec t = u - dot(u, n) * n;
   const bool head_on = dot(t, t) < 1e-4f * a;
-  const float nudge = (c > 0 ? 0.01f : 0.1f) * std::sqrt(a);
+  const float nudge = (apart ? 0.01f : 0.1f) * std::sqrt(a);
+  if (k.far != 1 && apart) t = t - (dot(t, u) / a) * u;
   if (head_on) t = {-(n.y * nudge), n.x * nudge};
   if (k.far == 1) {
-    const Vec contact = (c > 0 ? std::max(reach - square * inverse, 0.0f) : 0.0f) * n;
-    return weight * (contact + k.dt * (head_on || c <= 0 ? t : Vec{}));
+    const Vec contact = (apart ? std::max(reach - square * inverse, 0.0f) : 0.0f) * n;
+    return weight * (contact + k.dt * (head_on || !apart ? t : Vec{}));
   }
   return weight * (k.dt * t);
 }
