@@ -49,7 +49,7 @@ std::function<int()> set_up_bench(CLI::App& verb) {
   CLI::Option* seeds = verb.add_option("--seeds", b->options.seeds, "Seeds per scene; realism takes 5 when absent")
                            ->check(CLI::Range(1, 100000))
                            ->capture_default_str();
-  verb.add_option("--set", b->options.set, "realism: a parameter of the model, NAME=VALUE; may be repeated");
+  verb.add_option("--set", b->options.set, "realism, emergence: a parameter of the model, NAME=VALUE; may be repeated");
   verb.add_option("--max-seats", b->options.max_seats, "growth: the largest theatre, up to 100000")
       ->check(CLI::Range(25, 100000))
       ->capture_default_str();

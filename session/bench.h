@@ -16,7 +16,7 @@ using namespace core;
 struct BenchOptions {
   int seeds = 100;
   bool seeds_given = false;      ///< else realism takes 5
-  std::vector<std::string> set;  ///< realism: parameters of the model, NAME=VALUE
+  std::vector<std::string> set;  ///< realism, emergence: parameters of the model, NAME=VALUE
   int max_seats = 3200;          ///< growth: the largest theatre
   int max_people = 100000;       ///< crowd: the largest growing crowd, people
   int threads = 0;               ///< crowd: 0: all there are

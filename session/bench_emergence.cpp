@@ -43,6 +43,8 @@ Seeds run_seeds(const scene::Scene& scene, const Case& row, const BenchOptions& 
   parallel_for(count, 0, [&](std::size_t k) {
     SimulateJob job;
     job.model.far = row.far, job.model.set = row.set, job.seed = k + 1, job.cancel = options.cancel;
+    if (std::holds_alternative<scene::PbdModel>(scene.crowd.model))
+      job.model.set.insert(job.model.set.end(), options.set.begin(), options.set.end());
     results[k] = emergent_run(scene, job, [&](const crowd::Simulation& s) {
       if (watch) watch(k, s);
     });

@@ -151,13 +151,13 @@ Scene experiment_t_junction() {
   return scene;
 }
 
-/// People one behind the other in a ring of two straight parts and two half circles, counter-clockwise, 0.6 m wide, so
-/// that nobody can overtake. Four: CroMa 2021 (ped.2021.5), straight parts of 2.3 m, radius 1.65 m. 14, 20 and 30:
-/// Subaih 2019 (ped.2018.5), straight parts of 3.14 m; the ring's length does not come with the data: N times 2.74 m
-/// over the mean number in the 2.74 m in the middle of the straight part is 17.7 to 18.9 m, and a radius of 1.87 m
-/// makes it 18.03 m.
+/// People one behind the other in a ring of two straight parts and two half circles, counter-clockwise, 0.5 m wide:
+/// narrower than two bodies of 0.3 m, as the experiments' corridors were for people, so that nobody can overtake. Four:
+/// CroMa 2021 (ped.2021.5), straight parts of 2.3 m, radius 1.65 m. 14, 20 and 30: Subaih 2019 (ped.2018.5), straight
+/// parts of 3.14 m; the ring's length does not come with the data: N times 2.74 m over the mean number in the 2.74 m in
+/// the middle of the straight part is 17.7 to 18.9 m, and a radius of 1.87 m makes it 18.03 m.
 Scene experiment_single_file(int people) {
-  const double straight = people == 4 ? 2.3 : 3.14, radius = people == 4 ? 1.65 : 1.87, half_width = 0.3;
+  const double straight = people == 4 ? 2.3 : 3.14, radius = people == 4 ? 1.65 : 1.87, half_width = 0.25;
   const auto millimetres = [](double x) { return std::round(1000 * x) / 1000; };
   const auto oval = [&](double r) {
     Ring ring;

@@ -24,7 +24,11 @@ struct Effort {
 ///     passes of the thesis add up to, 1 - (1 - k)^6; their corrections enter as a change of velocity;
 ///   - the acceleration that is clamped is the one that people want, not what a contact does to them: clamping that
 ///     pressed people into each other by up to 89 % of their diameter;
-///   - walls have the last word in every iteration.
+///   - walls have the last word in every iteration;
+///   - avoidance keeps of the tangential displacement (eq. 4.13) what lies across the relative way. The part along it
+///     brings two nearer and faster: with it every encounter stirred people up, to 0.4 m/s sideways in a crowd that all
+///     walks one way, and no lanes held;
+///   - of the velocity that a contact gives to whoever it pushes away 6 % are lost in each sub-step (kRebound).
 class Pbd {
  public:
   using Parameters = scene::PbdModel;

@@ -295,6 +295,15 @@ void project(Work& work, const Constants& k, std::size_t chunk) {
   c.crowded = hn::GetLane(hn::SumOfLanes(kD, all)) > kCrowded * rows * static_cast<float>(kLanes);
 }
 
+/// What is left of the velocity that a contact gives to somebody who had another: of what pushes, beyond bringing to
+/// rest, a share of kRebound.
+HWY_INLINE Pair damped(Pair before, Pair after) {
+  const Pair change = after - before;
+  const V square = hn::Max(dot(change, change), set(1e-12f));
+  const V pushed = hn::Min(hn::Max(dot(after, change), hn::Zero(kD)), square);
+  return after - scaled(hn::Div(hn::Mul(set(1 - kRebound), pushed), square), change);
+}
+
 void finish(Work& work, const Constants& k, std::size_t chunk) {
   const V part = set(k.part);
   for_each_vector_of(work, chunk, true, [&](std::size_t i) {
@@ -302,9 +311,9 @@ void finish(Work& work, const Constants& k, std::size_t chunk) {
     // The blended velocity plus what was corrected: the difference of positions alone would lose it to rounding far
     // from the origin.
     const Pair begun = load(work.at, i) + scaled(part, wanted);
-    Pair v = wanted + scaled(set(k.inverse_part), load(work.corrected, i) - begun);
-    v = shortened(v, hn::Load(kD, work.maximum_speed.data() + i));
-    const Pair moved = load(work.moved, i) + scaled(part, v);
+    const Pair thrown = shortened(wanted + scaled(set(k.inverse_part), load(work.corrected, i) - begun),
+                                  hn::Load(kD, work.maximum_speed.data() + i));
+    const Pair moved = load(work.moved, i) + scaled(part, thrown), v = damped(wanted, thrown);
     const Pair to = load(work.base, i) + moved;
     store(v, work.v, i), store(moved, work.moved, i), store(to, work.next, i);
     store(to + scaled(part, blended(k, v, wish)), work.corrected, i);
@@ -353,9 +362,15 @@ void foresee(Work& work, const Constants& k, std::size_t chunk) {
           const V reach = reach_of(work, self, other, k.growth);
           const V c = hn::Sub(dot(d, d), hn::Mul(reach, reach));
           // Contacts are no collisions to come, but two who press against each other slide past by the same push: else
-          // friction would hold them for ever. They stand, so that only their wishes say where they would go.
-          const M apart = hn::Or(hn::Gt(c, hn::Zero(kD)), hn::RebindMask(kD, hn::Eq(index, other)));
-          if (!hn::AllTrue(kD, apart)) u = chosen(apart, u, load(work.wish, i) - gather(work.wish, other));
+          // friction would hold them for ever. They stand, so that only their wishes say where they would go; and they
+          // stand just where `reach` ends, so that rounding must not say whether they touch.
+          M apart = hn::Or(hn::Gt(c, hn::Mul(set(kTouching), hn::Mul(reach, reach))),
+                           hn::RebindMask(kD, hn::Eq(index, other)));
+          if (!hn::AllTrue(kD, apart)) {
+            const Pair mine = load(work.wish, i), theirs = gather(work.wish, other);
+            apart = hn::Or(apart, hn::And(hn::Gt(c, hn::Zero(kD)), hn::Ge(dot(mine, theirs), hn::Zero(kD))));
+            u = chosen(apart, u, mine - theirs);
+          }
           // tau = (b - sqrt(b b - a c)) / a [thesis eq. 4.4 to 4.7, with relative displacements].
           const V a = dot(u, u), b = hn::Neg(dot(d, u));
           const V under = hn::Sub(hn::Mul(b, b), hn::Mul(a, c));
@@ -379,8 +394,9 @@ void foresee(Work& work, const Constants& k, std::size_t chunk) {
           if (k.far == 1) {  // the future contact itself, as a displacement of this step [4.2.4]
             const V depth = hn::IfThenElseZero(apart, hn::Max(hn::Sub(reach, hn::Mul(square, inverse)), hn::Zero(kD)));
             push = scaled(depth, n) + kept(hn::Or(head_on, hn::Not(apart)), scaled(dt, chosen(head_on, past, t)));
-          } else {
-            push = scaled(dt, chosen(head_on, past, t));
+          } else {  // across the way that the two are on: along it they would only meet sooner and faster
+            const Pair across = t - scaled(hn::Div(dot(t, u), hn::Max(a, set(1e-6f))), u);
+            push = scaled(dt, chosen(head_on, past, chosen(apart, across, t)));
           }
           const V weight = hn::IfThenElseZero(valid, hn::Mul(share_of(work, self, other), stiffness));
           sum = sum + scaled(weight, push);

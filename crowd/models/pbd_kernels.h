@@ -12,6 +12,12 @@ constexpr float kCoincident = 1e-12f;
 constexpr float kCrowded = 0.45f;
 /// The thesis's factor on averaged corrections, for collisions to come.
 constexpr float kFarRelaxation = 1.2f;
+/// Two who want to walk against each other touch up to this share of the square of their distance.
+constexpr float kTouching = 2e-3f;
+/// People are no billiard balls: of the velocity that pushing somebody away gives him (over-relaxed, it throws) this
+/// share is left after a sub-step. With 1 nobody in a jam stands still and hardly any arch holds; 0.94 has the arches
+/// of the thesis's own scheme (docs/results.md) and overlaps half as deep.
+constexpr float kRebound = 0.94f;
 
 /// next = velocities, moved a share of the way towards the neighbours' mean, weighted by the poly6 kernel. [thesis eq.
 /// 4.3 with the sign of XSPH, normalised so that a crowd cannot overshoot]

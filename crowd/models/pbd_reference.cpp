@@ -81,6 +81,14 @@ Vec blended(const Work& work, const Constants& k, std::size_t i) {
   return (1 - k.blend) * at(work.v, i) + k.blend * at(work.wish, i);
 }
 
+/// What is left of the velocity that a contact gives.
+Vec damped(Vec before, Vec after) {
+  const Vec change = after - before;
+  const float square = std::max(dot(change, change), 1e-12f);
+  const float pushed = std::min(std::max(dot(after, change), 0.0f), square);
+  return after - ((1 - kRebound) * pushed / square) * change;
+}
+
 /// Calls f(i) for every agent of a chunk's blocks that are busy, or of those that are not.
 template <class F>
 void for_each_of(const Work& work, std::size_t chunk, bool busy, F&& f) {
@@ -94,7 +102,9 @@ std::optional<Vec> response_to_come(const Work& work, const Constants& k, std::s
   const Vec d = at(work.at, i) - at(work.at, j);
   const float reach = reach_of(work, i, j, k.growth);
   const float c = dot(d, d) - reach * reach;
-  const Vec u = c > 0 ? at(work.corrected, i) - at(work.corrected, j) : at(work.wish, i) - at(work.wish, j);
+  const bool against = dot(at(work.wish, i), at(work.wish, j)) < 0;
+  const bool apart = c > (against ? kTouching * (reach * reach) : 0);
+  const Vec u = apart ? at(work.corrected, i) - at(work.corrected, j) : at(work.wish, i) - at(work.wish, j);
   const float a = dot(u, u), b = -dot(d, u);
   const float under = b * b - a * c;
   if (!(b > 0 && under > 0 && a > 1e-6f)) return {};
@@ -108,11 +118,12 @@ std::optional<Vec> response_to_come(const Work& work, const Constants& k, std::s
   const float weight = share_of(work, i, j) * stiffness;
   Vec t = u - dot(u, n) * n;
   const bool head_on = dot(t, t) < 1e-4f * a;
-  const float nudge = (c > 0 ? 0.01f : 0.1f) * std::sqrt(a);
+  const float nudge = (apart ? 0.01f : 0.1f) * std::sqrt(a);
+  if (k.far != 1 && apart) t = t - (dot(t, u) / a) * u;
   if (head_on) t = {-(n.y * nudge), n.x * nudge};
   if (k.far == 1) {
-    const Vec contact = (c > 0 ? std::max(reach - square * inverse, 0.0f) : 0.0f) * n;
-    return weight * (contact + k.dt * (head_on || c <= 0 ? t : Vec{}));
+    const Vec contact = (apart ? std::max(reach - square * inverse, 0.0f) : 0.0f) * n;
+    return weight * (contact + k.dt * (head_on || !apart ? t : Vec{}));
   }
   return weight * (k.dt * t);
 }
@@ -293,8 +304,10 @@ void finish(Work& work, const Constants& k, std::size_t chunk) {
   for_each_of(work, chunk, true, [&](std::size_t i) {
     const Vec begun = at(work.at, i) + k.part * blended(work, k, i);
     const Vec correction = at(work.corrected, i) - begun;
-    put(shortened(blended(work, k, i) + k.inverse_part * correction, work.maximum_speed[i]), work.v, i);
-    put(at(work.moved, i) + k.part * at(work.v, i), work.moved, i);
+    const Vec before = blended(work, k, i);
+    const Vec thrown = shortened(before + k.inverse_part * correction, work.maximum_speed[i]);
+    put(damped(before, thrown), work.v, i);
+    put(at(work.moved, i) + k.part * thrown, work.moved, i);
     put(at(work.base, i) + at(work.moved, i), work.next, i);
     put(at(work.next, i) + k.part * blended(work, k, i), work.corrected, i);
   });
