@@ -130,7 +130,11 @@ void Pbd::State::set_parts(int parts) {
   k.parts = parts;
   k.part = k.dt / static_cast<float>(parts);
   k.inverse_part = 1 / k.part;
-  k.blend = std::min(1.0f, k.part / static_cast<float>(parameters.relaxation_time));
+  // What is left of a difference to the wish after a step does not depend on the number of its parts.
+  const double shortest = static_cast<double>(k.dt) / parameters.sub_steps;
+  const double left = std::max(0.0, 1 - shortest / parameters.relaxation_time);
+  const double kept = std::pow(left, static_cast<double>(parameters.sub_steps) / parts);
+  k.blend = static_cast<float>(1 - std::round(kept * 0x1p24) * 0x1p-24);
   calm = 0;
 }
 
