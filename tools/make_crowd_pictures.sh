@@ -19,13 +19,13 @@ draw() { # NAME [options of render]
 }
 walk lanes dense-passing 27
 draw lanes --paths --color way --from 19 --until 26
-walk thick-lanes dense-passing 34 --far avoidance --set cohesion=0.2
-draw thick-lanes --paths --color way --from 26 --until 33
+walk thick-lanes dense-passing 34 --far avoidance --set cohesion=0.05
+draw thick-lanes --paths --color way --from 24 --until 32
 walk jam bottleneck-3600 60
 draw jam --at 60 --radius 0.5 --trail 0
 walk ellipse dense-ellipsoid 85
 draw ellipse --at 82 --radius 0.5 --trail 0 --color way
-walk rabbits bears-and-rabbits 41 --far long-range
+walk rabbits bears-and-rabbits 41
 draw rabbits --paths --color way --from 15 --until 40
 walk power-law power-law-dense 36
 draw power-law --at 35 --radius 1 --trail 0

@@ -94,7 +94,7 @@ struct Pbd::State {
   void hold_walls(const Walls& walls, FloatArray& places, std::size_t chunk) const;
   void part_overlaps(const Walls& walls);
   void contend(const Walls& walls);
-  void heed_others(Agents& agents);
+  void heed_others(Agents& agents, const Walls& walls);
   void advance(const Walls& walls);
 };
 
@@ -328,11 +328,12 @@ void Pbd::State::advance(const Walls& walls) {
 }
 
 /// Takes wishes shortened and turned for those ahead; the agents keep their own. Requires: neighbours of this step.
-void Pbd::State::heed_others(Agents& agents) {
+void Pbd::State::heed_others(Agents& agents, const Walls& walls) {
   const HeedConstants k = heed_constants(parameters);
   const double time = static_cast<double>(steps) * constants.dt;
   pbd_model::take(heeding, agents);
   for_each_chunk([&](std::size_t c) {
+    if (k.turns > 0) find_room(heeding, walls, work.chunks[c].walls);
     heed(heeding, k, work.chunks[c].far, c);
     if (parameters.hesitation > 0) hesitate(heeding, agents, parameters.hesitation, time, c);
   });
@@ -352,7 +353,7 @@ void Pbd::step(Agents& agents, const Surroundings& around) {
     s.take(agents);
   else
     s.search(agents, around.walls);
-  if (s.parameters.headway > 0) s.heed_others(agents);
+  if (s.parameters.headway > 0) s.heed_others(agents, around.walls);
   s.advance(around.walls);
   ++s.steps;
   s.give(agents);

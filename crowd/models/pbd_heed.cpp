@@ -66,12 +66,16 @@ void heed(HeedWork& work, const HeedConstants& k, const NeighbourRows& rows, std
       const Walkers w{i, self, rows.items.data() + rows.first[at] * kLanes + lane, rows.first[at + 1] - rows.first[at]};
       const V ex = hn::Load(kD, work.ex.data() + i), ey = hn::Load(kD, work.ey.data() + i);
       const Paces straight = paces_along(work, k, w, ex, ey);
+      const V press = hn::Mul(set(kPress), hn::Load(kD, work.speed.data() + i));
       V pace = straight.allowed, best = straight.clear, best_x = ex, best_y = ey;
       for (std::size_t t = 0; t < k.turns; ++t) {
         const V c = set(k.turn_cos[t]), s = set(k.turn_sin[t]);
         const V tx = hn::Sub(hn::Mul(c, ex), hn::Mul(s, ey)), ty = hn::Add(hn::Mul(s, ex), hn::Mul(c, ey));
         const Paces turned = paces_along(work, k, w, tx, ty);
-        const V gain = hn::Mul(c, turned.clear);
+        const V room = hn::Load(kD, (k.turn_sin[t] > 0 ? work.left : work.right).data() + i);
+        const V barred = hn::Max(hn::Div(room, set(k.headway * std::abs(k.turn_sin[t]))), press);
+        const V near = hn::IfThenElse(hn::Lt(room, set(kRoom)), hn::Min(turned.clear, barred), turned.clear);
+        const V gain = hn::Mul(c, near);
         const auto better = hn::Gt(gain, best);
         best = hn::IfThenElse(better, gain, best), pace = hn::IfThenElse(better, turned.allowed, pace);
         best_x = hn::IfThenElse(better, tx, best_x), best_y = hn::IfThenElse(better, ty, best_y);
@@ -111,6 +115,7 @@ void take(HeedWork& work, const Agents& agents) {
   for (FloatArray* array : {&work.x, &work.y, &work.vx, &work.vy, &work.pace, &work.radius, &work.ex, &work.ey,
                             &work.speed, &work.wish_x, &work.wish_y})
     array->resize(room, 0.0f);
+  work.left.assign(room, kRoom), work.right.assign(room, kRoom);
   for (std::size_t i = 0; i < work.count; ++i) {
     work.x[i] = agents.x[i], work.y[i] = agents.y[i], work.vx[i] = agents.vx[i], work.vy[i] = agents.vy[i];
     work.radius[i] = agents.radius[i];
@@ -118,6 +123,18 @@ void take(HeedWork& work, const Agents& agents) {
     const float x = agents.wish_x[i], y = agents.wish_y[i], speed = std::sqrt(x * x + y * y);
     const float inverse = 1 / std::max(speed, 1e-12f);
     work.speed[i] = speed, work.ex[i] = x * inverse, work.ey[i] = y * inverse;
+  }
+}
+
+void find_room(HeedWork& work, const Walls& walls, const std::vector<NearWall>& near) {
+  for (const NearWall& wall : near) {
+    const std::size_t i = wall.agent;
+    const WallPoint p = nearest_point(walls.segments()[wall.segment], work.x[i], work.y[i]);
+    const float dx = p.x - work.x[i], dy = p.y - work.y[i], distance = std::sqrt(dx * dx + dy * dy);
+    const float beside = work.ex[i] * dy - work.ey[i] * dx;  // to the left
+    if (!(std::abs(beside) > 0.5f * distance)) continue;
+    float& room = beside > 0 ? work.left[i] : work.right[i];
+    room = std::min(room, std::max(distance - work.radius[i], 0.0f));
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include "crowd/agents.h"
 #include "crowd/models/pbd_work.h"
+#include "crowd/walls.h"
 
 /// What people do about those who walk ahead, before the model moves anybody. Ours; off in the thesis's preset.
 ///
@@ -19,7 +20,8 @@
 /// is taken, max over phi of q_i(e_phi) cos phi, after the first rule of [Moussaid11]; straight ahead wins ties, then
 /// the smaller turn, then the turn to the right. q is p, but also those count, as if they stood, who come the other way
 /// (e_i.e_j < 0): nobody slows down for them, people step aside. So they spread over the width of a passage instead of
-/// queueing for its corners, and opposing flows part into lanes.
+/// queueing for its corners, and opposing flows part into lanes. Nobody steps aside into a wall: of a turn by phi to the
+/// side where a wall is `room` metres from the body, q is at most room / (T |sin phi|), as if somebody came from there.
 namespace inhabit::crowd::pbd_model {
 
 struct HeedConstants {
@@ -31,8 +33,8 @@ struct HeedConstants {
   std::size_t turns = 0;
   std::array<float, kTurns> turn_cos{}, turn_sin{};
 };
-/// Who comes the other way bars a direction down to this share of the speed wished, not more: with both sides barred
-/// people walk on and press past each other.
+/// Who comes the other way, or a wall beside, bars a direction down to this share of the speed wished, not more: with
+/// both sides barred people walk on and press past each other.
 constexpr float kPress = 0.15f;
 HeedConstants heed_constants(const scene::PbdModel& parameters);
 
@@ -41,9 +43,15 @@ struct HeedWork {
   std::size_t count = 0;
   FloatArray x, y, vx, vy, pace, radius;  ///< pace: |v|
   FloatArray ex, ey, speed;               ///< the wish: its direction, 0 for those who want to stand, and its length
+  FloatArray left, right;                 ///< room to a wall on either side of the wish, metres; kRoom and more: none
   FloatArray wish_x, wish_y;              ///< the result
 };
+/// Walls farther from a body do not count, metres: people keep a hand's breadth from walls when they can.
+constexpr float kRoom = 0.2f;
 void take(HeedWork& work, const Agents& agents);
+/// The room beside the agents who have walls near. A wall is beside who wishes to walk when it lies within 60 degrees
+/// of straight left or right.
+void find_room(HeedWork& work, const Walls& walls, const std::vector<NearWall>& near);
 
 /// Writes the wishes of a chunk's agents: they heed the neighbours in `rows`. The same bits with every instruction set.
 void heed(HeedWork& work, const HeedConstants& constants, const NeighbourRows& rows, std::size_t chunk);

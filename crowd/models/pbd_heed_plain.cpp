@@ -52,7 +52,10 @@ void heed(HeedWork& work, const HeedConstants& k, const NeighbourRows& rows, std
       const float c = k.turn_cos[t], s = k.turn_sin[t];
       const Vec turned = {c * straight.x - s * straight.y, s * straight.x + c * straight.y};
       const Paces there = paces(turned);
-      if (c * there.clear > best) best = c * there.clear, pace = there.allowed, e = turned;
+      const float room = s > 0 ? work.left[i] : work.right[i];
+      const float barred = std::max(room / (k.headway * std::abs(s)), kPress * work.speed[i]);
+      const float gain = c * (room < kRoom ? std::min(there.clear, barred) : there.clear);
+      if (gain > best) best = gain, pace = there.allowed, e = turned;
     }
     work.wish_x[i] = pace * e.x, work.wish_y[i] = pace * e.y;
   }

@@ -100,6 +100,27 @@ TEST_CASE("sidestep: people turn to where the way is longer and to the right whe
   CHECK(heeded(alone, model).wish_y[0] == 0);
 }
 
+TEST_CASE("sidestep: nobody steps aside into a wall") {
+  PbdModel model = heeding();
+  model.sidestep = 60;
+  const auto turned = [&](double below, double above) {
+    const Walls walls({make_floor({{-9, -below}, {9, -below}, {9, above}, {-9, above}}, {})}, {}, 1);
+    Agents agents;
+    add(agents, 0, 0, 1.3f, 0), add(agents, 1, 0, 0, 0);
+    std::vector<NearWall> near;
+    for (std::uint32_t s = 0; s < walls.segments().size(); ++s) near.push_back({0, s});
+    HeedWork work;
+    take(work, agents);
+    find_room(work, walls, near);
+    heed(work, heed_constants(model), all_of(agents.size()), 0);
+    return work.wish_y[0];
+  };
+  CHECK(turned(3, 3) < -0.3f);
+  CHECK(turned(0.25, 3) > 0.3f);      // 5 cm to the right of the body
+  CHECK(turned(0.22, 0.22) == 0);     // straight on, however slowly
+  CHECK(turned(0.45, 0.45) < -0.3f);  // 25 cm are room enough
+}
+
 TEST_CASE("hesitation: who is held up stands still for its share of the time and nobody else does") {
   Agents agents;
   add(agents, 0, 0, 1, 0, 0.1f, 0), add(agents, 5, 0, 1, 0, 0.9f, 0);
@@ -131,6 +152,9 @@ TEST_CASE("headway: every instruction set gives the bits of the readable version
   const HeedConstants k = heed_constants(model);
   HeedWork fast;
   take(fast, agents);
+  for (std::size_t i = 0; i < kPeople; i += 2)
+    fast.left[i] = static_cast<float>(rng.uniform(0, kRoom)),
+    fast.right[i] = static_cast<float>(rng.uniform(0, 2 * kRoom));
   std::vector<NeighbourRows> rows(2);
   for (std::size_t c = 0; c < rows.size(); ++c)
     for (std::size_t b = 0; b < kBlocksPerChunk; ++b) {
