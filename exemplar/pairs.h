@@ -1,0 +1,30 @@
+#pragma once
+#include "exemplar/observe.h"
+
+/// How two kinds stand to each other (Yu et al. 2011, section 3.2, "pairwise relationships").
+namespace inhabit::exemplar {
+
+struct PairFound {
+  PairPrior prior;
+  PairEvidence evidence;
+  double gap = 0;  ///< median distance between the footprints, metres
+  double steady =
+      0;  ///< share of the seconds in modes whose distance, bearing (unless concentric) and facing hardly vary
+};
+
+/// Every `second` belongs to the `first` nearest to it (between footprints, then between centres) in its room.
+/// count = 0 when the two are never in one room.
+PairFound find_pair(std::span<const Thing> things, const std::string& first, const std::string& second);
+
+/// Pairs that the examples suggest, by first, then second: in at least 3 examples (and 2 rooms where there are several)
+/// the second has a first in at least 60 % of the rooms that it is in; their footprints are at most 1.2 m apart in the
+/// median, or the first must be seen and the second looks at it; and 70 % of the examples are steady: within a mode the
+/// distance varies by less than 12 cm or 20 %, facing by 25 degrees, bearing by 30. Of all firsts that a kind could
+/// belong to, the nearest two at most. Rugs, what hangs, and what stands on others are not proposed, but for what must
+/// be seen.
+std::vector<PairFound> propose_pairs(std::span<const Thing> things, int rooms);
+
+/// Whether things of this kind are there to be looked at: televisions, pictures, clocks, easels, white boards.
+bool must_be_seen(std::string_view kind);
+
+}  // namespace inhabit::exemplar
