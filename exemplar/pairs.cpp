@@ -12,8 +12,8 @@
 namespace inhabit::exemplar {
 namespace {
 
-constexpr double kNear = 1.2, kFarSeen = 6;
-constexpr double kSteadyLength = 0.12, kSteadyShare = 0.2, kSteadyFacing = 25 * kPi / 180,
+constexpr double kNear = 1.2, kFarSeen = 6, kTouching = 0.35;
+constexpr double kSteadyLength = 0.12, kSteadyShare = 0.15, kSteadyFacing = 25 * kPi / 180,
                  kSteadyBearing = 30 * kPi / 180;
 
 double gap_between(const Thing& a, const Thing& b) { return std::max(0.0, -separation(a.box(), b.box()).depth); }
@@ -94,7 +94,8 @@ struct KindSeen {
 
 bool convincing(const PairFound& found, const KindSeen& first, const KindSeen& second, int rooms) {
   if (found.prior.count < 3 || found.prior.rooms < std::min(2, rooms)) return false;
-  if (found.prior.rooms < 0.6 * static_cast<double>(second.rooms.size()) || found.steady < 0.7) return false;
+  if (found.prior.rooms < 0.6 * static_cast<double>(second.rooms.size())) return false;
+  if (found.carried > 0 || std::max(found.steady, found.beside) < 0.7) return false;
   return found.gap <= kNear ||
          (first.seen && found.gap <= kFarSeen && std::abs(found.prior.modes.front().facing) < kPi / 4);
 }
@@ -135,10 +136,13 @@ PairFound find_pair(std::span<const Thing> things, const std::string& first, con
     s.room = b.room, s.first = firsts.emplace(number, static_cast<int>(firsts.size())).first->second;
     found.evidence.samples.push_back(s);
     rooms.insert(b.room), gaps.push_back(nearest.first);
+    found.beside += nearest.first <= kTouching ? 1 : 0;
+    found.carried += a->on == second || b.on == first ? 1 : 0;
   }
   found.prior.count = static_cast<int>(found.evidence.samples.size());
   found.prior.rooms = static_cast<int>(rooms.size());
   if (found.prior.count == 0) return found;
+  found.beside /= found.prior.count, found.carried /= found.prior.count;
   int all = 0;
   for (const Thing& t : things) all += t.kind == first && rooms.contains(t.room);
   found.prior.per_first = static_cast<double>(found.prior.count) / all;
