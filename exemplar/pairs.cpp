@@ -94,10 +94,10 @@ struct KindSeen {
 
 bool convincing(const PairFound& found, const KindSeen& first, const KindSeen& second, int rooms) {
   if (found.prior.count < 3 || found.prior.rooms < std::min(2, rooms)) return false;
-  if (found.prior.rooms < 0.6 * static_cast<double>(second.rooms.size())) return false;
+  if (found.prior.rooms < 0.5 * static_cast<double>(second.rooms.size())) return false;
   if (found.carried > 0 || std::max(found.steady, found.beside) < 0.7) return false;
-  return found.gap <= kNear ||
-         (first.seen && found.gap <= kFarSeen && std::abs(found.prior.modes.front().facing) < kPi / 4);
+  if (first.seen) return found.gap <= kFarSeen && std::abs(found.prior.modes.front().facing) < kPi / 4;
+  return found.gap <= kNear;
 }
 
 }  // namespace

@@ -7,9 +7,10 @@ namespace inhabit::exemplar {
 struct PairFound {
   PairPrior prior;
   PairEvidence evidence;
-  double gap = 0;  ///< median distance between the footprints, metres
-  double steady =
-      0;  ///< share of the seconds in modes whose distance, bearing (unless concentric) and facing hardly vary
+  double gap = 0;      ///< median distance between the footprints, metres
+  double beside = 0;   ///< share of the seconds whose footprint is within 35 cm of their first's
+  double carried = 0;  ///< share of which one stands on the other
+  double steady = 0;   ///< share in modes whose distance, bearing (unless concentric) and facing hardly vary
 };
 
 /// Every `second` belongs to the `first` nearest to it (between footprints, then between centres) in its room.
@@ -17,8 +18,8 @@ struct PairFound {
 PairFound find_pair(std::span<const Thing> things, const std::string& first, const std::string& second);
 
 /// Pairs that the examples suggest, by first, then second: in at least 3 examples (and 2 rooms where there are several)
-/// the second has a first in at least 60 % of the rooms that it is in; their footprints are at most 1.2 m apart in the
-/// median, or the first must be seen and the second looks at it; and 70 % of the examples either stand within 35 cm of
+/// the second has a first in at least half of the rooms that it is in; their footprints are at most 1.2 m apart in the
+/// median, or, where the first must be seen, the second looks at it; and 70 % of the examples either stand within 35 cm of
 /// their first or are steady: within a mode the distance varies by less than 12 cm or 15 %, facing by 25 degrees,
 /// bearing by 30. Of all firsts that a kind could belong to, the nearest two at most. Rugs, what hangs, and what stands
 /// on others are not proposed, but for what must be seen; neither is a thing with its carrier.

@@ -29,7 +29,7 @@ std::string counted(int n, std::string_view one, std::string_view many) {
   return std::to_string(n) + " " + std::string(n == 1 ? one : many);
 }
 
-std::string degrees_text(double angle) { return shortest(std::round(degrees(angle))) + "°"; }
+std::string degrees_text(double angle) { return shortest(std::round(degrees(angle)) + 0.0) + "°"; }
 
 std::string support_text(const KindPrior& prior) {
   std::string text;
@@ -121,8 +121,7 @@ Drawing draw_kind_card(const KindPrior& prior, const KindEvidence& evidence) {
   std::vector<std::string> lines;
   for (const WallMode& m : prior.wall) {
     lengths.push_back({m.distance, m.distance_deviation}), turns.push_back({m.angle, m.angle_deviation});
-    lines.push_back(std::to_string(m.count) + ": " + fixed(m.distance, 2) + " m, " + degrees_text(m.angle) + " ± " +
-                    fixed(m.distance_deviation, 2) + " m, " + degrees_text(m.angle_deviation));
+    lines.push_back(std::to_string(m.count) + ": " + fixed(m.distance, 2) + " m, " + degrees_text(m.angle));
   }
   if (evidence.wall.empty()) return card;
   const std::string face(kFaceNames[static_cast<std::size_t>(prior.back)]);
