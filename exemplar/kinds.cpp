@@ -18,19 +18,6 @@ constexpr double kVotes = 0.5, kTie = 0.05, kLeastAccess = 0.1;
 /// In the first tier, standing: what people walk up to.
 bool stands(const Thing& t) { return t.mount == Mount::floor && t.on.empty() && !t.flat; }
 
-/// The heading of the face opposite to `back`, from the inward normal of the wall that is nearest to the back.
-WallSample at_wall(const Thing& t, Face back, const Scene& scene) {
-  const Ring& outline = scene.space.outline;
-  const Vec2 center = face_center(t.pose, t.size, back);
-  const Nearest nearest = nearest_on_ring(outline, center);
-  const Vec2 wall = outline[(nearest.side + 1) % outline.size()] - outline[nearest.side];
-  WallSample sample;
-  sample.distance = contains(outline, center) ? nearest.distance : -nearest.distance;
-  sample.angle = wrap_angle(angle_of(-face_normal(t.pose, back)) - angle_of(perp(wall)));
-  sample.room = t.room;
-  return sample;
-}
-
 std::vector<WallMode> wall_modes(std::vector<WallSample>& samples) {
   std::vector<Sample> points;
   for (const WallSample& s : samples) points.push_back({s.distance, {s.angle, 0}});
@@ -72,6 +59,18 @@ double mean_elevation(Things things) {
 
 }  // namespace
 
+WallSample wall_sample(const Thing& t, Face back, const Scene& scene) {
+  const Ring& outline = scene.space.outline;
+  const Vec2 center = face_center(t.pose, t.size, back);
+  const Nearest nearest = nearest_on_ring(outline, center);
+  const Vec2 wall = outline[(nearest.side + 1) % outline.size()] - outline[nearest.side];
+  WallSample sample;
+  sample.distance = contains(outline, center) ? nearest.distance : -nearest.distance;
+  sample.angle = wrap_angle(angle_of(-face_normal(t.pose, back)) - angle_of(perp(wall)));
+  sample.room = t.room;
+  return sample;
+}
+
 BackVote vote_back(Things things) {
   std::array<int, 4> votes{};
   int all = 0;
@@ -112,7 +111,7 @@ KindFound find_kind_prior(Things things, std::span<const Scene> rooms) {
   prior.back = back.face, prior.back_share = back.share;
   for (const Thing* t : things) {
     if (t->mount != Mount::ceiling)
-      found.evidence.wall.push_back(at_wall(*t, back.face, rooms[static_cast<std::size_t>(t->room)]));
+      found.evidence.wall.push_back(wall_sample(*t, back.face, rooms[static_cast<std::size_t>(t->room)]));
     std::array<double, 4> free{};
     for (std::size_t f = 0; f < 4; ++f) free[f] = t->faces[f].free;
     found.evidence.free_depth.push_back(free);

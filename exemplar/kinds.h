@@ -22,6 +22,9 @@ BackVote vote_back(Things things);
 /// stands on something else: 0.
 double access_depth(Things things, Face face);
 
+/// How a thing stands to the side of the outline that is nearest to the centre of its `back` face; `mode` is 0.
+WallSample wall_sample(const Thing& thing, Face back, const Scene& scene);
+
 struct KindFound {
   KindPrior prior;
   KindEvidence evidence;

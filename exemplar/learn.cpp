@@ -131,8 +131,13 @@ class Learner {
 
   void propose() {
     if (!options_.propose) return;
+    // Whoever names the first of a kind knows best to whom it belongs.
+    const auto named = [&](const std::string& second) {
+      return std::ranges::any_of(out_.priors.pairs,
+                                 [&](const PairPrior& p) { return p.by_hand && p.second == second; });
+    };
     for (PairFound& found : propose_pairs(things_, furnished_))
-      if (!known(found.prior.first, found.prior.second)) keep(std::move(found));
+      if (!named(found.prior.second) && !known(found.prior.first, found.prior.second)) keep(std::move(found));
   }
 
   void note_what_is_weak() {

@@ -1,6 +1,7 @@
 #include "exemplar/pairs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -12,7 +13,7 @@
 namespace inhabit::exemplar {
 namespace {
 
-constexpr double kNear = 1.2, kFarSeen = 6, kTouching = 0.35;
+constexpr double kNear = 0.8, kFarSeen = 6, kTouching = 0.35;
 constexpr double kSteadyLength = 0.12, kSteadyShare = 0.15, kSteadyFacing = 25 * kPi / 180,
                  kSteadyBearing = 30 * kPi / 180;
 
@@ -80,23 +81,34 @@ Vec2 mean_size(std::span<const Thing> things, const std::string& kind) {
   return n > 0 ? (1 / n) * sum : sum;
 }
 
-/// What may stand in a pair that nobody named.
-bool proposable(const Thing& t) {
-  return !t.flat && t.mount != Mount::ceiling && ((t.on.empty() && t.mount == Mount::floor) || must_be_seen(t.kind));
-}
-
 struct KindSeen {
   std::set<int> rooms;
   int count = 0;
   double area = 0;
-  bool seen = false;
+  bool seen = false;  ///< people sit down to look at it
+  bool seat = false;
 };
+
+/// A television and an easel; a picture or a clock is glanced at.
+bool sat_before(std::string_view kind) {
+  return must_be_seen(kind) && kind_of(kind) != "picture" && words_of(kind, ' ').find("clock") == std::string::npos;
+}
+bool is_seat(std::string_view kind) {
+  static constexpr std::array<std::string_view, 6> kSeats = {"sofa",  "armchair", "office chair",
+                                                             "stool", "bench",    "chair"};
+  return std::ranges::find(kSeats, kind_of(kind)) != kSeats.end();
+}
+
+/// What may stand in a pair that nobody named.
+bool proposable(const Thing& t) {
+  return !t.flat && t.mount != Mount::ceiling && ((t.on.empty() && t.mount == Mount::floor) || sat_before(t.kind));
+}
 
 bool convincing(const PairFound& found, const KindSeen& first, const KindSeen& second, int rooms) {
   if (found.prior.count < 3 || found.prior.rooms < std::min(2, rooms)) return false;
   if (found.prior.rooms < 0.5 * static_cast<double>(second.rooms.size())) return false;
   if (found.carried > 0 || std::max(found.steady, found.beside) < 0.7) return false;
-  if (first.seen) return found.gap <= kFarSeen && std::abs(found.prior.modes.front().facing) < kPi / 4;
+  if (first.seen) return second.seat && found.gap <= kFarSeen && std::abs(found.prior.modes.front().facing) < kPi / 4;
   return found.gap <= kNear;
 }
 
@@ -159,7 +171,7 @@ std::vector<PairFound> propose_pairs(std::span<const Thing> things, int rooms) {
     if (!proposable(t)) continue;
     KindSeen& kind = kinds[t.kind];
     kind.rooms.insert(t.room), ++kind.count;
-    kind.area += t.box().area(), kind.seen = must_be_seen(t.kind);
+    kind.area += t.box().area(), kind.seen = sat_before(t.kind), kind.seat = is_seat(t.kind);
   }
   std::vector<PairFound> all;
   for (const auto& [second, b] : kinds) {
@@ -174,8 +186,13 @@ std::vector<PairFound> propose_pairs(std::span<const Thing> things, int rooms) {
     std::ranges::stable_sort(candidates, [](const PairFound& x, const PairFound& y) {
       return std::pair(x.gap, x.prior.spread) < std::pair(y.gap, y.prior.spread);
     });
-    for (std::size_t i = 0; i < std::min<std::size_t>(2, candidates.size()); ++i)
-      all.push_back(std::move(candidates[i]));
+    // The nearest, and of what a seat looks at the nearest, too.
+    bool seen = false, beside = false;
+    for (PairFound& candidate : candidates) {
+      bool& taken = kinds[candidate.prior.first].seen ? seen : beside;
+      if (!taken) all.push_back(std::move(candidate));
+      taken = true;
+    }
   }
   std::ranges::stable_sort(all, [](const PairFound& x, const PairFound& y) {
     return std::tie(x.prior.first, x.prior.second) < std::tie(y.prior.first, y.prior.second);

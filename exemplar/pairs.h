@@ -18,11 +18,12 @@ struct PairFound {
 PairFound find_pair(std::span<const Thing> things, const std::string& first, const std::string& second);
 
 /// Pairs that the examples suggest, by first, then second: in at least 3 examples (and 2 rooms where there are several)
-/// the second has a first in at least half of the rooms that it is in; their footprints are at most 1.2 m apart in the
-/// median, or, where the first must be seen, the second looks at it; and 70 % of the examples either stand within 35 cm of
-/// their first or are steady: within a mode the distance varies by less than 12 cm or 15 %, facing by 25 degrees,
-/// bearing by 30. Of all firsts that a kind could belong to, the nearest two at most. Rugs, what hangs, and what stands
-/// on others are not proposed, but for what must be seen; neither is a thing with its carrier.
+/// the second has a first in at least half of the rooms that it is in; their footprints are at most 0.8 m apart in the
+/// median, or the first is a thing that people sit down to look at, and the second a seat that faces it; and 70 % of
+/// the examples either stand within 35 cm of their first or are steady: within a mode the distance varies by less than
+/// 12 cm or 15 %, facing by 25 degrees, bearing by 30. Of all firsts that a kind could belong to, the nearest; and the
+/// nearest that it looks at. Rugs, what hangs, and what stands on others are not proposed, but for what is looked at;
+/// neither is a thing with its carrier.
 std::vector<PairFound> propose_pairs(std::span<const Thing> things, int rooms);
 
 /// Whether things of this kind are there to be looked at: televisions, pictures, clocks, easels, white boards.

@@ -57,7 +57,7 @@ void list_modes(Drawing& card, Vec2 at, const std::vector<std::string>& lines) {
   for (std::size_t i = 0; i < std::min(kMost, lines.size()); ++i) {
     const double y = at.y + 15 * static_cast<double>(i);
     fill(card, Path{}.circle({at.x + 4, y - 3.5}, 3.6), mode_color(static_cast<int>(i)));
-    write(card, {fitted(lines[i], kPriorCard.x - 14 - at.x - 12, kText), {at.x + 13, y}, kText, ink::kText});
+    write(card, {fitted(lines[i], kPriorCard.x - 14 - at.x - 12, 9.5), {at.x + 13, y}, 9.5, ink::kText});
   }
 }
 
@@ -150,13 +150,13 @@ Drawing draw_pair_card(const PairPrior& prior, const PairEvidence& evidence) {
   for (const PairMode& m : prior.modes) {
     turns.push_back({m.facing, m.facing_deviation});
     std::string line = std::to_string(m.count) + ": " + fixed(m.distance, 2) + " m";
-    if (!prior.concentric) line += " at " + degrees_text(m.bearing);
+    if (!prior.concentric) line += ", " + degrees_text(m.bearing);
     lines.push_back(line + ", facing " + degrees_text(m.facing));
   }
   const Vec2 center{364, 146};
   draw_rose(card, center, 78, facings, turns);
   write(card, {"facing: up looks at the " + prior.first, center + Vec2{0, 104}, 9.5, ink::kFaint, Anchor::middle});
-  list_modes(card, {462, 72}, lines);
+  list_modes(card, {454, 72}, lines);
   return card;
 }
 
