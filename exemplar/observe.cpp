@@ -109,6 +109,12 @@ class RoomObserver {
   }
 
   void look_around(Thing& thing) {
+    near_.clear();
+    for (const Thing& other : out_.things) {
+      const double reach = thing.box().radius() + other.box().radius() + kLookDepth;
+      if (&other == &thing || length(other.pose.p - thing.pose.p) > reach) continue;
+      if (!bound(thing.object, other.object) && in_the_way(other, thing)) near_.push_back(other.box());
+    }
     for (std::size_t f = 0; f < thing.faces.size(); ++f) {
       const Face face = static_cast<Face>(f);
       FaceSeen& seen = thing.faces[f];
@@ -117,7 +123,7 @@ class RoomObserver {
       seen.wall = contains(scene_.space.outline, center) ? nearest.distance : -nearest.distance;
       const double width = 0.9 * (f % 2 == 0 ? thing.size.x : thing.size.y);
       const double to_wall = swept(center, out, width, [&](Vec2 p) { return to_walls(p, out); });
-      const double to_thing = swept(center, out, width, [&](Vec2 p) { return to_things(p, out, thing); });
+      const double to_thing = swept(center, out, width, [&](Vec2 p) { return to_things(p, out); });
       seen.free = std::min(to_wall, to_thing);
       seen.at_wall = seen.wall < kAtWall && to_wall <= std::max(to_thing, kAtWall);
     }
@@ -138,12 +144,11 @@ class RoomObserver {
     for (const Hole& hole : scene_.space.holes) depth = std::min(depth, ray_to_ring(p, d, hole.outline));
     return depth;
   }
-  double to_things(Vec2 p, Vec2 d, const Thing& thing) const {
+  double to_things(Vec2 p, Vec2 d) const {
     double depth = kLookDepth;
-    for (const Thing& other : out_.things) {
-      if (&other == &thing || bound(thing.object, other.object) || !in_the_way(other, thing)) continue;
-      const auto corners = other.box().corners();
-      if (other.box().contains(p)) return 0;
+    for (const Box& box : near_) {
+      if (box.contains(p)) return 0;
+      const auto corners = box.corners();
       depth = std::min(depth, ray_to_ring(p, d, corners));
     }
     return depth;
@@ -156,6 +161,7 @@ class RoomObserver {
   int room_;
   Observed out_;
   std::vector<int> carrier_;
+  std::vector<Box> near_;  ///< what the thing that looks around may see
 };
 
 }  // namespace

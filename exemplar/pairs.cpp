@@ -133,8 +133,8 @@ PairFound find_pair(std::span<const Thing> things, const std::string& first, con
     if (b.kind != second) continue;
     std::pair nearest{1e300, 1e300};
     const Thing* a = nullptr;
-    for (const Thing& candidate : things) {
-      if (candidate.kind != first || candidate.room != b.room || &candidate == &b) continue;
+    for (const Thing& candidate : std::ranges::equal_range(things, b.room, {}, &Thing::room)) {
+      if (candidate.kind != first || &candidate == &b) continue;
       const std::pair at{gap_between(candidate, b), length(candidate.pose.p - b.pose.p)};
       if (at < nearest) nearest = at, a = &candidate;
     }

@@ -14,7 +14,7 @@ struct PairFound {
 };
 
 /// Every `second` belongs to the `first` nearest to it (between footprints, then between centres) in its room.
-/// count = 0 when the two are never in one room.
+/// count = 0 when the two are never in one room. Requires: the things are sorted by room.
 PairFound find_pair(std::span<const Thing> things, const std::string& first, const std::string& second);
 
 /// Pairs that the examples suggest, by first, then second: in at least 3 examples (and 2 rooms where there are several)
