@@ -29,7 +29,8 @@ struct OpenOptions {
   std::size_t line = 0;        ///< the house of a file that has one per line, from 1; 0: all
 };
 
-/// The file of this name; when there is none, the built-in scene, or all of the set exemplar/<name>. Errors offer the nearest built-in name.
+/// The file of this name; when there is none, the built-in scene, or all of the set exemplar/<name>. Errors offer the
+/// nearest built-in name.
 Result<Document> open_document(const std::string& name, const OpenOptions& options = {});
 /// Bytes of any format of io/format_table.h.
 Result<Document> read_document(std::string_view file_name, std::string bytes, const OpenOptions& options = {});
