@@ -38,6 +38,11 @@ int run(Bench& b) {
     const std::string path = b.plots + "/" + curve.id + ".svg";
     if (!save(path, session::curve_picture(curve, path))) return kError;
   }
+  for (const session::BenchSheet& sheet : answer->sheets) {
+    if (b.plots.empty()) break;
+    const std::string path = b.plots + "/" + sheet.id + ".png";
+    if (!save(path, session::sheet_picture(sheet, path))) return kError;
+  }
   return kDone;
 }
 
@@ -46,9 +51,10 @@ int run(Bench& b) {
 std::function<int()> set_up_bench(CLI::App& verb) {
   const auto b = std::make_shared<Bench>();
   verb.add_option("GROUP", b->groups, "What to measure; all of layout when absent")->expected(0, -1);
-  CLI::Option* seeds = verb.add_option("--seeds", b->options.seeds, "Seeds per scene; realism takes 5 when absent")
-                           ->check(CLI::Range(1, 100000))
-                           ->capture_default_str();
+  CLI::Option* seeds =
+      verb.add_option("--seeds", b->options.seeds, "Seeds per scene; realism and learned take 5 when absent")
+          ->check(CLI::Range(1, 100000))
+          ->capture_default_str();
   verb.add_option("--set", b->options.set, "realism, emergence: a parameter of the model, NAME=VALUE; may be repeated");
   verb.add_option("--max-seats", b->options.max_seats, "growth: the largest theatre, up to 100000")
       ->check(CLI::Range(25, 100000))
@@ -60,16 +66,18 @@ std::function<int()> set_up_bench(CLI::App& verb) {
       ->check(CLI::PositiveNumber);
   verb.add_option("--threads", b->options.threads, "crowd: threads; all there are when absent")
       ->check(CLI::Range(1, 1024));
-  verb.add_option("--data", b->options.data,
-                  "rooms, measures, realism: folder that holds rooms/ and pedestrians/ (or the environment variable "
-                  "INHABIT_DATA)")
+  verb.add_option(
+          "--data", b->options.data,
+          "rooms, learned, measures, realism: folder that holds rooms/ and pedestrians/ (or the environment variable "
+          "INHABIT_DATA)")
       ->type_name("DIR");
   verb.add_option("--scheme", b->scheme, "gauss-seidel or averaged")
       ->check(CLI::IsMember({"gauss-seidel", "averaged"}))
       ->capture_default_str();
   verb.add_flag("--no-relocation", b->no_relocation, "Projection alone");
   verb.add_flag("--paper", b->options.layout.paper, "The papers' method to the letter");
-  verb.add_option("--plots", b->plots, "Write the curves into this folder as SVG")->type_name("DIR");
+  verb.add_option("--plots", b->plots, "Write the curves into this folder as SVG, and sheets of rooms as PNG")
+      ->type_name("DIR");
   verb.add_flag("--json", b->json, "One JSON object on standard output and nothing else there");
   verb.add_flag("-q,--quiet", b->quiet, "No progress");
   verb.footer("Groups:\n  layout      all of these\n" + session::bench_group_lines() +

@@ -36,7 +36,7 @@ def fails(*arguments):
 
 def test_help(folder):
     assert "furnish" in run("--help").stdout
-    for verb in ("furnish", "check", "simulate", "scenes", "render", "convert", "measure", "bench"):
+    for verb in ("furnish", "check", "learn", "simulate", "scenes", "render", "convert", "measure", "bench"):
         text = run(verb, "--help").stdout
         assert f"inhabit {verb}" in text and "Example" in text, text
     assert run("--version").stdout.startswith("inhabit ")
@@ -114,6 +114,39 @@ def test_check(folder):
     assert report["feasible"] is False and report["overlaps"]
     assert run("check", heap, code=1).stdout
     run("check", heap, "--json", "--metrics", "published", code=1)
+
+
+def test_learn(folder):
+    """Five rooms become a priors file that reads back, pictures, and errors that say where."""
+    priors, page, cards = folder / "bed.priors.json", folder / "bed.svg", folder / "cards"
+    told = run("learn", "exemplar/bedroom", "-o", priors, "--pair", "tv,armchair", "--pair", "desk,work-chair", "--explain", page).stdout
+    assert "120 things" in told and "named" in told, told
+    learned = json.loads(priors.read_text())
+    assert learned["format"] == "inhabit-priors" and len(learned["rooms"]) == 5
+    assert {"tv", "armchair"} <= {kind["kind"] for kind in learned["kinds"]}
+    assert any(pair["first"] == "desk" and pair["second"] == "work chair" and pair["count"] == 5 for pair in learned["pairs"])
+    assert page.read_text().startswith("<?xml") or "<svg" in page.read_text()
+    run("learn", "exemplar/gallery", "--pair", "chair,chair", "--explain", str(cards) + "/", "-q")
+    assert (cards / "kind-painting.png").exists() and (cards / "pair-chair-chair.png").exists()
+    answer = json.loads(run("learn", "exemplar/bedroom-1", "--json").stdout)
+    assert any("one room alone" in note for note in answer["notes"]) and answer["priors"]["kinds"]
+    # What a person wrote stays.
+    for kind in learned["kinds"]:
+        if kind["kind"] == "bed":
+            kind.update(by_hand=True, wall=[{"distance": 0.5}])
+    mine = write(folder / "mine.json", json.dumps(learned))
+    run("learn", "exemplar/bedroom", "-o", priors, "--keep", mine, "-q")
+    assert next(kind for kind in json.loads(priors.read_text())["kinds"] if kind["kind"] == "bed")["wall"][0]["distance"] == 0.5
+    before = priors.read_bytes()
+    assert 'did you mean "exemplar/bedroom-1"' in fails("learn", "exemplar/bedrom-1", "-o", priors)
+    assert "nothing to learn from" in fails("learn", "learned-bedroom", "-o", priors)
+    assert "no example has" in fails("learn", "exemplar/bedroom", "-o", priors, "--pair", "tv,throne")
+    assert "two kinds" in fails("learn", "exemplar/bedroom", "-o", priors, "--pair", "tv")
+    assert "picture" in fails("learn", "exemplar/bedroom", "-o", priors, "--explain", folder / "a.docx")
+    mine.write_text('{"kinds": [{"kind": "bed", "wal": []}]}')
+    assert f"{mine}: /kinds/0/wal" in fails("learn", "exemplar/bedroom", "-o", priors, "--keep", mine)
+    assert priors.read_bytes() == before
+    fails("learn")
 
 
 def test_json(folder):

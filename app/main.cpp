@@ -18,6 +18,7 @@ struct Verb {
 constexpr std::array kVerbs = {
     Verb{"furnish", "Arrange the objects of a scene or of a home's rooms", set_up_furnish},
     Verb{"check", "Say what is wrong with a layout", set_up_check},
+    Verb{"learn", "Find out from furnished rooms how things stand", set_up_learn},
     Verb{"simulate", "Let people walk through a scene", set_up_simulate},
     Verb{"scenes", "List the built-in scenes, or print one", set_up_scenes},
     Verb{"render", "Draw a plan, or people who walk, as a picture or a film", set_up_render},

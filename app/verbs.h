@@ -15,6 +15,7 @@ using SetUp = std::function<int()> (*)(CLI::App& verb);
 
 std::function<int()> set_up_furnish(CLI::App& verb);
 std::function<int()> set_up_check(CLI::App& verb);
+std::function<int()> set_up_learn(CLI::App& verb);
 std::function<int()> set_up_simulate(CLI::App& verb);
 std::function<int()> set_up_scenes(CLI::App& verb);
 std::function<int()> set_up_render(CLI::App& verb);

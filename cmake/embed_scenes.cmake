@@ -1,12 +1,12 @@
-# Writes OUTPUT, a C++ file that holds every scenes/*.json of SOURCE: `cmake -DSOURCE=… -DOUTPUT=… -P embed_scenes.cmake`.
-file(GLOB files ${SOURCE}/*.json)
+# Writes OUTPUT, a C++ file that holds every scenes/*.json and scenes/exemplar/*.json of SOURCE: `cmake -DSOURCE=… -DOUTPUT=… -P embed_scenes.cmake`.
+file(GLOB files RELATIVE ${SOURCE} ${SOURCE}/*.json ${SOURCE}/exemplar/*.json)
 list(SORT files)
 set(text "#include <array>\n\n#include \"session/document.h\"\n\nnamespace inhabit::session {\nnamespace {\n\n")
 set(rows "")
 set(count 0)
 foreach(file IN LISTS files)
-  get_filename_component(name ${file} NAME_WE)
-  file(READ ${file} json HEX)
+  string(REGEX REPLACE "\\.json$" "" name ${file})
+  file(READ ${SOURCE}/${file} json HEX)
   # As numbers, because a string literal of this size is more than the standard promises.
   string(REGEX REPLACE "([0-9a-f][0-9a-f])" "'\\\\x\\1'," bytes "${json}")
   string(APPEND text "constexpr char kScene${count}[] = {${bytes}'\\0'};\n")

@@ -1,6 +1,7 @@
 # Every fuzz target: a line here, fuzz/<name>.cpp, and the examples it starts from in fuzz/corpus/<name>.
 set(INHABIT_FUZZ_TARGETS
   scene
+  priors
   wkt
   geojson
   procthor

@@ -15,12 +15,18 @@ namespace inhabit::scene {
 enum class Face : std::uint8_t { back, left, front, right };
 inline constexpr std::array<std::string_view, 4> kFaceNames = {"back", "left", "front", "right"};
 
+/// The kind under which an object is learned and looked up: what the scene calls it, in lower-case words without digits
+/// ("Bedside_Table" gives "bedside table"); by its name where it has no kind. "" when it has neither.
+std::string prior_kind(const Object& object);
+
 /// One way in which a kind stands at walls: the mean of one cluster of examples. The paper clusters distance and angle
 /// apart; here they are clustered together, since an example that stands off the wall is also the one that is turned.
+/// Walls are the sides of the outline; a pillar is none.
 struct WallMode {
   double distance = 0;  ///< from the back face's centre to the nearest wall, m (the paper: from the centre, which would
                         ///< depend on the object's depth)
-  double angle = 0;     ///< heading, from the nearest wall's inward normal; 0 = back to the wall
+  double angle = 0;     ///< of the direction opposite to KindPrior::back, from the nearest wall's inward normal; 0 =
+                        ///< back to the wall. For the usual back that direction is the object's heading
   double distance_deviation = 0, angle_deviation = 0;  ///< standard deviation, and circular standard deviation
   int count = 0;                                       ///< examples in it; its weight is its share of all of them
   friend bool operator==(const WallMode&, const WallMode&) = default;
@@ -50,7 +56,8 @@ struct KindPrior {
   friend bool operator==(const KindPrior&, const KindPrior&) = default;
 };
 
-/// One way in which `second` stands to `first`: the mean of one cluster of examples.
+/// One way in which `second` stands to `first`: the mean of one cluster of examples. Headings are those of the scene,
+/// whatever KindPrior::back says.
 struct PairMode {
   double distance = 0;  ///< between the centres
   double bearing = 0;   ///< of the second's centre, from the first's heading
@@ -65,7 +72,8 @@ struct PairPrior {
   std::string first, second;
   std::vector<PairMode> modes;  ///< most frequent first
   double per_first = 1;         ///< how many `second` gather round one `first`, on average
-  bool concentric = false;      ///< they stand round it at any bearing, evenly spaced (chairs round a table)
+  bool concentric = false;      ///< they stand round it at any bearing, evenly spaced (chairs round a table); the
+                                ///< modes' bearings then mean nothing
   int count = 0, rooms = 0;
   double spread = 0;     ///< of the distance within the modes, over their mean: the smaller, the steadier
   bool by_hand = false;  ///< named by the user; otherwise proposed from the examples

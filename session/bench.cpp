@@ -18,6 +18,8 @@ std::vector<BenchGroupRow> bench_groups() {
       {"memory", "bytes per object beyond the scene", bench_memory},
       {"files", "reading, writing, checking and drawing up to 100,000 objects", bench_files},
       {"rooms", "real homes, stripped and furnished again (needs the data folder)", bench_rooms},
+      {"learned", "real rooms furnished by what other homes teach, beside their designers (needs the data folder)",
+       bench_learned},
       {"crowd", "times and overlaps of crowds beside published ones, growth, roofline", bench_crowd,
        BenchGroupRow::people},
       {"measures", "recordings of people measured, beside published curves (needs the data folder)", bench_measures,

@@ -21,7 +21,7 @@ struct BenchOptions {
   int max_people = 100000;       ///< crowd: the largest growing crowd, people
   int threads = 0;               ///< crowd: 0: all there are
   double seconds = 0;            ///< crowd: of simulated time, at most; 0: as long as each scene says
-  std::string data;              ///< rooms, measures: the folder that holds `rooms/` and `pedestrians/`
+  std::string data;              ///< rooms, learned, measures: the folder that holds `rooms/` and `pedestrians/`
   layout::Options layout;        ///< method, scheme, start; seed, starts and threads are the bench's own
   Progress progress;
   const Cancel* cancel = nullptr;
@@ -38,9 +38,21 @@ struct BenchCurve {
   std::vector<Line> lines;
 };
 
+/// Rooms side by side, with a word under each.
+struct BenchSheet {
+  std::string id, title;
+  int columns = 0;  ///< 0: as many as look well
+  struct Cell {
+    scene::Scene scene;
+    std::string caption;
+  };
+  std::vector<Cell> cells;
+};
+
 struct BenchGroup {
   std::vector<Table> tables;
   std::vector<BenchCurve> curves;
+  std::vector<BenchSheet> sheets;
 };
 
 struct BenchGroupRow {
@@ -66,6 +78,7 @@ Result<BenchGroup> bench_residuals(const BenchOptions& options);
 Result<BenchGroup> bench_memory(const BenchOptions& options);
 Result<BenchGroup> bench_files(const BenchOptions& options);
 Result<BenchGroup> bench_rooms(const BenchOptions& options);
+Result<BenchGroup> bench_learned(const BenchOptions& options);
 Result<BenchGroup> bench_measures(const BenchOptions& options);
 Result<BenchGroup> bench_realism(const BenchOptions& options);
 Result<BenchGroup> bench_crowd(const BenchOptions& options);

@@ -22,7 +22,9 @@ Result<BenchAnswer> bench_job(const std::vector<std::string>& groups, const Benc
   if (chosen.empty()) {
     // Real rooms only where there are some.
     for (const BenchGroupRow& row : known)
-      if (row.subject == BenchGroupRow::layout && (row.name != "rooms" || !options.data.empty())) chosen.push_back(row);
+      if (row.subject == BenchGroupRow::layout &&
+          ((row.name != "rooms" && row.name != "learned") || !options.data.empty()))
+        chosen.push_back(row);
   }
   BenchAnswer answer;
   answer.tables.push_back(machine_table());
@@ -31,6 +33,7 @@ Result<BenchAnswer> bench_job(const std::vector<std::string>& groups, const Benc
     if (!group) return group.error();
     std::move(group->tables.begin(), group->tables.end(), std::back_inserter(answer.tables));
     std::move(group->curves.begin(), group->curves.end(), std::back_inserter(answer.curves));
+    std::move(group->sheets.begin(), group->sheets.end(), std::back_inserter(answer.sheets));
     if (options.cancel && options.cancel->requested()) break;
   }
   return answer;

@@ -6,6 +6,7 @@ namespace inhabit::session {
 struct BenchAnswer {
   std::vector<Table> tables;  ///< the machine first
   std::vector<BenchCurve> curves;
+  std::vector<BenchSheet> sheets;
 };
 /// The groups called `groups`, all when empty; `layout` means all. Errors name the nearest group.
 Result<BenchAnswer> bench_job(const std::vector<std::string>& groups, const BenchOptions& options);

@@ -17,6 +17,19 @@ const BuiltinScene* find_builtin(std::string_view name) {
   return nullptr;
 }
 
+/// The built-in scenes called NAME-1, NAME-2, …: one document, a scene each; nothing when there are none.
+Result<Document> open_builtin_set(const std::string& name) {
+  Document set;
+  set.name = name;
+  for (int k = 1;; ++k) {
+    const BuiltinScene* builtin = find_builtin(name + "-" + std::to_string(k));
+    if (!builtin) return set;
+    Result<Document> one = read_document(builtin->name, std::string(builtin->json));
+    if (!one) return one.error();
+    set.scenes.push_back(std::move(one->scenes.front()));
+  }
+}
+
 /// Rooms are chosen by name, so a name stands for one room: "Bedroom", "Bedroom (2)"; one without is "room 3".
 void name_rooms_apart(std::vector<Scene>& scenes) {
   if (scenes.size() < 2) return;
@@ -61,6 +74,8 @@ Result<Document> open_document(const std::string& name, const OpenOptions& optio
     return read_document(name, std::move(*bytes), options);
   }
   if (const BuiltinScene* builtin = find_builtin(name)) return read_document(name, std::string(builtin->json), options);
+  Result<Document> set = name.starts_with("exemplar/") ? open_builtin_set(name) : Document{};
+  if (!set || !set->scenes.empty()) return set;
   std::vector<std::string_view> names;
   for (const BuiltinScene& scene : builtin_scenes()) names.push_back(scene.name);
   return Error{ErrorCode::not_found, "no such file, and no built-in scene of this name" + did_you_mean(name, names),

@@ -16,7 +16,8 @@ struct Document : io::Content {
   std::string name;  ///< as it was asked for
 };
 
-/// A scene that the program carries: scenes/<name>.json.
+/// A scene that the program carries: scenes/<name>.json; furnished rooms to learn from are called exemplar/<name>-<k>
+/// and come from scenes/exemplar/.
 struct BuiltinScene {
   std::string_view name, json;
 };
@@ -28,7 +29,8 @@ struct OpenOptions {
   std::size_t line = 0;        ///< the house of a file that has one per line, from 1; 0: all
 };
 
-/// The file of this name; when there is none, the built-in scene. Errors offer the nearest built-in name.
+/// The file of this name; when there is none, the built-in scene, or all of the set exemplar/<name>. Errors offer the
+/// nearest built-in name.
 Result<Document> open_document(const std::string& name, const OpenOptions& options = {});
 /// Bytes of any format of io/format_table.h.
 Result<Document> read_document(std::string_view file_name, std::string bytes, const OpenOptions& options = {});

@@ -94,6 +94,19 @@ Result<std::string> trace_picture(const std::vector<layout::TraceRow>& trace, st
   return encoded(drawing, file_name, {});
 }
 
+Result<std::string> sheet_picture(const BenchSheet& sheet, std::string_view file_name) {
+  std::vector<render::SheetCell> cells;
+  for (const BenchSheet::Cell& c : sheet.cells) {
+    render::SheetCell cell;
+    cell.scene = &c.scene, cell.caption = c.caption;
+    cells.push_back(std::move(cell));
+  }
+  if (cells.empty()) return Error{ErrorCode::not_found, "there is nothing to draw: no room was furnished", ""};
+  render::SheetOptions options;
+  options.title = sheet.title, options.columns = sheet.columns;
+  return encoded(render::draw_sheet(cells, options), file_name, {});
+}
+
 Result<std::string> curve_picture(const BenchCurve& curve, std::string_view file_name) {
   render::Plot plot;
   plot.title = curve.title;

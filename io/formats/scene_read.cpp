@@ -3,12 +3,10 @@
 #include <unordered_map>
 
 #include "core/text.h"
+#include "io/formats/object_reader.h"
 #include "io/formats/scene_curve.h"
 #include "io/formats/scene_json.h"
-#include "io/formats/scene_members.h"
 #include "io/formats/scene_rules.h"
-#include "io/formats/value_reader.h"
-#include "io/json_text.h"
 
 namespace inhabit::io {
 namespace {
@@ -17,24 +15,19 @@ namespace {
 using Names = std::unordered_map<std::string_view, Ref>;
 
 /// Reads a document into a scene. The first error ends it: every function returns false after one.
-class SceneReader : public ValueReader {
+class SceneReader : public ObjectReader<SceneReader> {
  public:
   bool read(JsonValue root, Scene& scene) {
     if (!root.is(Json::object))
       return fail(root, std::string("a scene is an object, this is ") + std::string(name_of(root.kind())));
-    if (const JsonValue format = root.find("format"); !format.none() && format.text() != kFormatName)
-      return fail(format, "is not \"" + std::string(kFormatName) + "\"");
-    if (const JsonValue version = root.find("version");
-        !version.none() && version.text() != std::to_string(kFormatVersion))
-      return fail(version, version.is(Json::number) && version.number() > kFormatVersion
-                               ? "written by a newer inhabit; this one reads version " + std::to_string(kFormatVersion)
-                               : "is not " + std::to_string(kFormatVersion));
-    return collect_names(root) && read_object(root, scene, {"format", "version"}) && hold(check_objects(scene)) &&
-           hold(check_groups(scene)) && hold(check_crowd(scene.crowd));
+    return check_header(root, kFormatName, kFormatVersion) && collect_names(root) &&
+           read_object(root, scene, {"format", "version"}) && hold(check_objects(scene)) && hold(check_groups(scene)) &&
+           hold(check_crowd(scene.crowd));
   }
 
  private:
-  using ValueReader::read;
+  friend class ObjectReader<SceneReader>;
+  using ObjectReader::read;
 
   // Names first, so that a reference may point forward.
   bool collect_names(JsonValue root) {
@@ -64,85 +57,6 @@ class SceneReader : public ValueReader {
     return true;
   }
 
-  template <class T>
-  bool check_unknown(JsonValue v, std::vector<std::string_view> known) {
-    for_each_member<T>([&](std::string_view name, auto, const Spec&) { known.push_back(name); });
-    constexpr bool kExtras = requires(T t) { t.extras; };
-    for (const JsonValue member : v) {
-      if ((kExtras && member.key().starts_with("x-")) || std::ranges::find(known, member.key()) != known.end())
-        continue;
-      return fail(member, "unknown key" + did_you_mean(member.key(), known));
-    }
-    return true;
-  }
-
-  template <class T>
-  bool read_object(JsonValue v, T& out, const std::vector<std::string_view>& also = {}) {
-    if (!expect(v, Json::object)) return false;
-    std::size_t known = 0;
-    for_each_member<T>([&](std::string_view name, auto, const Spec&) { known += v.find(name).none() ? 0 : 1; });
-    if (known < v.size() && !check_unknown<T>(v, also)) return false;
-    bool good = true;
-    for_each_member<T>([&](std::string_view name, auto pointer, const Spec& spec) {
-      if (!good) return;
-      const JsonValue member = v.find(name);
-      if (member.none()) {
-        if (spec.required) good = fail(v, "\"" + std::string(name) + "\" is missing");
-      } else {
-        good = read(member, out.*pointer, spec);
-      }
-    });
-    if constexpr (HasTable<T>) good = good && check_company<T>(v);
-    if constexpr (requires { out.extras; }) {
-      if (good && known < v.size()) {
-        for (const JsonValue member : v) {
-          if (member.key().starts_with("x-")) out.extras.emplace_back(member.key(), flat_json(member));
-        }
-      }
-    }
-    return good;
-  }
-
-  /// What may, must and must not stand together in an object.
-  template <class T>
-  bool check_company(JsonValue v) {
-    const auto given = [&](std::string_view name) { return !v.find(name).none(); };
-    if constexpr (requires { Table<T>::needs_one_of; }) {
-      if (std::ranges::none_of(Table<T>::needs_one_of, given))
-        return fail(v, "needs one of: " + joined(Table<T>::needs_one_of));
-    }
-    if constexpr (requires { Table<T>::exactly_one_of; }) {
-      if (std::ranges::count_if(Table<T>::exactly_one_of, given) != 1)
-        return fail(v, "needs exactly one of: " + joined(Table<T>::exactly_one_of));
-    }
-    if constexpr (requires { Table<T>::only_with; }) {
-      for (const OnlyWith& rule : Table<T>::only_with) {
-        if (given(rule.name) && !given(rule.with))
-          return fail(v.find(rule.name), "means nothing without \"" + std::string(rule.with) + "\"");
-      }
-    }
-    return true;
-  }
-  template <class T>
-  bool read(JsonValue v, std::optional<T>& out, const Spec& spec) {
-    return read(v, out.emplace(), spec);
-  }
-  // The condition stands behind the parameters: before them, clang takes this for the enumerations' read() and hides
-  // that.
-  template <class T>
-  bool read(JsonValue v, T& out, const Spec&) requires HasTable<T> {
-    return read_object(v, out);
-  }
-  template <class T>
-  requires HasTable<T>
-  bool read(JsonValue v, std::vector<T>& out, const Spec& spec) {
-    if (!expect(v, Json::array)) return false;
-    out.reserve(v.size());
-    for (const JsonValue item : v) {
-      if (!read(item, out.emplace_back(), spec)) return false;
-    }
-    return true;
-  }
   bool read(JsonValue v, Space& out, const Spec&) {
     // The outline's orientation decides what the wall numbers mean, so it is asked for first.
     if (const JsonValue outline = v.find("outline"); !outline.none()) {

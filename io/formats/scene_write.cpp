@@ -1,13 +1,13 @@
+#include "io/formats/object_writer.h"
 #include "io/formats/scene_curve.h"
 #include "io/formats/scene_json.h"
-#include "io/formats/scene_members.h"
 #include "io/json_text.h"
 
 namespace inhabit::io {
 namespace {
 
 /// Appends a scene as compact JSON.
-class SceneWriter {
+class SceneWriter : public ObjectWriter<SceneWriter> {
  public:
   explicit SceneWriter(const Scene& scene) : scene_(scene) {}
 
@@ -21,58 +21,13 @@ class SceneWriter {
   }
 
  private:
-  void comma() {
-    if (out_.back() != '{' && out_.back() != '[') out_ += ',';
-  }
-  void key(std::string_view name) { comma(), append_quoted(out_, name), out_ += ':'; }
+  friend class ObjectWriter<SceneWriter>;
+  using ObjectWriter::write;
 
-  template <class T>
-  void object(const T& value) {
-    out_ += '{', members(value), out_ += '}';
-  }
-  template <class T>
-  void members(const T& value) {
-    const T absent = default_like(value);
-    for_each_member<T>([&](std::string_view name, auto pointer, const Spec& spec) {
-      if (!spec.required && value.*pointer == absent.*pointer) return;
-      key(name);
-      write(value.*pointer, spec);
-    });
-    if constexpr (requires { value.extras; }) {
-      for (const auto& [name, text] : value.extras) {
-        key(name);
-        // An extra that a program set to something else than JSON is kept as a text.
-        JsonDocument::parse(text).ok() ? out_ += text : (append_quoted(out_, text), out_);
-      }
-    }
-  }
-
-  void write(double value, const Spec& spec) { append_number(out_, spec.unit == "rad" ? file_degrees(value) : value); }
-  void write(bool value, const Spec&) { out_ += value ? "true" : "false"; }
-  void write(int value, const Spec& spec) {
-    if (spec.choices.empty()) {
-      append_number(out_, value);
-    } else {
-      append_quoted(out_, split_choices(spec.choices).at(static_cast<std::size_t>(value)));
-    }
-  }
-  void write(std::uint64_t value, const Spec&) { out_ += std::to_string(value); }
-  void write(const std::string& value, const Spec&) { append_quoted(out_, value); }
-  template <class E>
-  requires std::is_enum_v<E>
-  void write(E value, const Spec& spec) { write(static_cast<int>(value), spec); }
-  template <class T>
-  void write(const std::optional<T>& value, const Spec& spec) {
-    write(*value, spec);
-  }
   void write(Vec2 v, const Spec& spec) { list(std::array{v.x, v.y}, spec); }
   void write(const Vec3& v, const Spec& spec) { list(std::array{v.x, v.y, v.z}, spec); }
   void write(Ref ref, const Spec&) { append_quoted(out_, scene_.id_of(ref)); }
   void write(const std::array<Ref, 2>& refs, const Spec& spec) { list(refs, spec); }
-  template <class T>
-  void write(const std::vector<T>& items, const Spec& spec) {
-    list(items, spec);
-  }
   void write(const Members& m, const Spec& spec) {
     if (m.all_of.none()) {
       list(m.list, spec);
@@ -80,9 +35,6 @@ class SceneWriter {
       write(m.all_of, spec);
     }
   }
-  template <class T>
-  requires HasTable<T>
-  void write(const T& value, const Spec&) { object(value); }
   void write(const Curve& curve, const Spec&) { object(curve_to_file(curve)); }
   void write(const Span& span, const Spec& spec) {
     if (span.low == span.high) return write(span.low, spec);
@@ -127,15 +79,7 @@ class SceneWriter {
     out_ += ']';
   }
 
-  template <class List>
-  void list(const List& items, const Spec& spec) {
-    out_ += '[';
-    for (const auto& item : items) comma(), write(item, spec);
-    out_ += ']';
-  }
-
   const Scene& scene_;
-  std::string out_;
 };
 
 }  // namespace
