@@ -51,7 +51,10 @@ Arranged run_start(const Furniture& furniture, const Options& options, const Sta
   Rng scatter(options.seed ^ 0x5ca77e2, static_cast<std::uint64_t>(start.number));
   arranger.scatter(scatter, options.given);
   AnnealOptions anneal_options;
-  anneal_options.iterations = options.iterations;
+  anneal_options.iterations =
+      options.iterations > 0
+          ? options.iterations
+          : std::max<std::int64_t>(20000, 3000 * static_cast<std::int64_t>(furniture.walkers.size()));
   anneal_options.schedule = {Schedule::Shape::geometric, options.hot, options.cold};
   anneal_options.seed = options.seed, anneal_options.stream = static_cast<std::uint64_t>(start.number);
   anneal_options.replicas = options.replicas, anneal_options.threads = options.threads;

@@ -30,7 +30,7 @@ std::size_t mode_at(const std::vector<Mode>& modes, double u) {
 class Chooser {
  public:
   Chooser(const Scene& scene, const Priors& priors, std::uint64_t seed) : scene_(scene), priors_(priors), seed_(seed) {
-    for (std::uint32_t i = 0; i < scene.objects.size(); ++i) of_kind_[scene.objects[i].kind].push_back(i);
+    for (std::uint32_t i = 0; i < scene.objects.size(); ++i) of_kind_[prior_kind(scene.objects[i])].push_back(i);
   }
 
   Targets run() {
@@ -45,7 +45,7 @@ class Chooser {
   ObjectTarget object(std::uint32_t i) const {
     const Object& o = scene_.objects[i];
     ObjectTarget target;
-    target.prior = priors_.of(o.kind);
+    target.prior = priors_.of(prior_kind(o));
     target.mount = o.mount;
     target.view = o.view;
     if (o.clearance.any()) target.access = {o.clearance.back, o.clearance.left, o.clearance.front, o.clearance.right};
@@ -111,7 +111,7 @@ class Chooser {
     ObjectTarget& target = out_.objects[i];
     std::vector<std::string> kinds;
     if (o.on.kind == Ref::Kind::object) {
-      kinds.push_back(scene_.objects[o.on.index].kind);
+      kinds.push_back(prior_kind(scene_.objects[o.on.index]));
       target.carrier = o.on.index;
     } else if (o.mount == Mount::floor && !o.position && target.prior != nullptr) {
       for (const Support& s : target.prior->support) {
@@ -129,11 +129,11 @@ class Chooser {
     std::ranges::sort(target.carriers);
     if (target.carrier != kNobody) return;
     if (target.carriers.empty()) {
-      out_.warnings.push_back("\"" + o.id + "\" (" + o.kind + ") stands on the floor: there is no " + kinds.front() +
-                              " to carry it");
+      out_.warnings.push_back("\"" + o.id + "\" (" + prior_kind(o) + ") stands on the floor: there is no " +
+                              kinds.front() + " to carry it");
       return;
     }
-    target.carrier = near_partner(i).value_or(target.carriers[turn_[o.kind]++ % target.carriers.size()]);
+    target.carrier = near_partner(i).value_or(target.carriers[turn_[prior_kind(o)]++ % target.carriers.size()]);
   }
 
   /// A first-tier object that is large enough.
