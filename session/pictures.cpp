@@ -1,6 +1,7 @@
 #include "session/pictures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -111,9 +112,13 @@ Result<std::string> trace_picture(const std::vector<annealing::TraceRow>& trace,
   render::Series total{"all"};
   total.color = render::rgb(0x222222), total.width = 2.4;
   std::vector<render::Series> parts;
+  constexpr std::array kColors = {0xc2603au, 0x2e8b57u, 0x7b4fa0u, 0xb8952eu, 0x5a6778u,
+                                  0x1f6fb2u, 0xd04a8cu, 0xc0392bu, 0x8a8a8au};
   for (const std::string_view name : annealing::term_names()) {
-    parts.push_back({std::string(name)});
-    parts.back().width = 1.4;
+    render::Series part{std::string(name)};
+    part.color = render::rgb(kColors[parts.size() % kColors.size()]);
+    part.width = 1.4, part.dashed = parts.size() >= 7;  // our own two
+    parts.push_back(std::move(part));
   }
   double most = 0;
   for (const annealing::TraceRow& row : trace) most = std::max(most, row.cost);
