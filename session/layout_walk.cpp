@@ -11,7 +11,7 @@ namespace {
 constexpr double kLeastShift = 1e-3, kLeastTurn = 2e-3;  // metres, radians
 }
 
-LayoutWalk::LayoutWalk(const Problem& problem, std::uint64_t seed, double hot)
+LayoutWalk::LayoutWalk(const Problem& problem, std::uint64_t seed, double hot, double shift)
     : p_(&problem), x_(problem.data, problem.room), hot_(hot) {
   Options options;
   options.start = Start::random;
@@ -21,7 +21,7 @@ LayoutWalk::LayoutWalk(const Problem& problem, std::uint64_t seed, double hot)
   for (std::uint32_t b = 0; b < problem.data.bodies.size(); ++b)
     if (problem.data.bodies[b].w > 0 || problem.data.bodies[b].turns) movable_.push_back(b);
   const Vec2 size = problem.room.extent().size();
-  reach_ = std::max(size.x, size.y) / 4;
+  reach_ = shift * std::max(size.x, size.y);
   squares_ = score_all().second;
 }
 
@@ -120,9 +120,9 @@ void LayoutWalk::restore(const Snapshot& bodies) {
 core::Result<Layout> anneal_layout(const Scene& scene, const BaselineOptions& options) {
   const core::Result<Problem> problem = compile(scene);
   if (!problem) return problem.error();
-  const double energy = LayoutWalk(*problem, options.seed, 1).cost();
+  const double energy = LayoutWalk(*problem, options.seed, 1, 1).cost();
   const double hot = options.hot * energy;
-  LayoutWalk walk(*problem, options.seed, hot);
+  LayoutWalk walk(*problem, options.seed, hot, options.shift);
   annealing::AnnealOptions anneal_options;
   anneal_options.iterations = options.iterations, anneal_options.patience = options.patience;
   anneal_options.seed = options.seed, anneal_options.cancel = options.cancel;

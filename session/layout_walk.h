@@ -14,8 +14,9 @@ namespace inhabit::session {
 /// that falls with the temperature, as Yu et al. 2011 have it.
 class LayoutWalk {
  public:
-  /// At the random start that the solver of this seed has, too. `hot`: the schedule's highest temperature.
-  LayoutWalk(const layout::Problem& problem, std::uint64_t seed, double hot);
+  /// At the random start that the solver of this seed has, too. `hot`: the schedule's highest temperature, at which
+  /// the shifts have a deviation of `shift` times the longer side of the room, and of a quarter turn.
+  LayoutWalk(const layout::Problem& problem, std::uint64_t seed, double hot, double shift);
 
   double propose(core::Rng& rng, double temperature);
   void accept() { squares_ = std::max(0.0, squares_ + change_); }
@@ -52,7 +53,8 @@ struct BaselineOptions {
   std::int64_t iterations = 20000;  ///< "linear, evenly-spaced schedules for about 20,000 iterations"
   /// "… in case the energy function value did not improve by more than 0.1 percent during the previous 1,500".
   std::int64_t patience = 1500;
-  double hot = 0.02;  ///< first temperature, as a share of the random start's energy
+  double hot = 0.02;   ///< first temperature, as a share of the random start's energy
+  double shift = 0.1;  ///< deviation of the first shifts, as a share of the longer side of the room
   std::vector<layout::TraceRow>* trace = nullptr;
   std::int64_t trace_every = 64;
   const core::Cancel* cancel = nullptr;
