@@ -13,11 +13,15 @@ namespace {
 struct Bench {
   std::vector<std::string> groups;
   session::BenchOptions options;
-  std::string scheme = "gauss-seidel", plots;
+  std::string scheme = "gauss-seidel", plots, against;
   bool json = false, quiet = false, no_relocation = false;
 };
 
 int run(Bench& b) {
+  if (!b.against.empty()) {
+    std::erase(b.groups, "layout");
+    b.groups.push_back("against");
+  }
   session::BenchOptions& options = b.options;
   options.layout.scheme = b.scheme == "averaged" ? layout::Scheme::averaged : layout::Scheme::gauss_seidel;
   options.layout.relocation = !b.no_relocation;
@@ -76,13 +80,16 @@ std::function<int()> set_up_bench(CLI::App& verb) {
       ->capture_default_str();
   verb.add_flag("--no-relocation", b->no_relocation, "Projection alone");
   verb.add_flag("--paper", b->options.layout.paper, "The papers' method to the letter");
+  verb.add_option("--against", b->against, "anneal: layout beside simulated annealing instead (the group against)")
+      ->check(CLI::IsMember({"anneal"}));
   verb.add_option("--plots", b->plots, "Write the curves into this folder as SVG, and sheets of rooms as PNG")
       ->type_name("DIR");
   verb.add_flag("--json", b->json, "One JSON object on standard output and nothing else there");
   verb.add_flag("-q,--quiet", b->quiet, "No progress");
   verb.footer("Groups:\n  layout      all of these\n" + session::bench_group_lines() +
               "Times are of one start on one thread unless a column says otherwise.\n"
-              "Examples:\n  inhabit bench layout\n  inhabit bench table1 --seeds 20 --json\n  inhabit bench growth "
+              "Examples:\n  inhabit bench layout\n  inhabit bench table1 --seeds 20 --json\n  inhabit bench layout "
+              "--against anneal --plots plots\n  inhabit bench growth "
               "--max-seats 100000 --plots plots");
   return [b, seeds] {
     b->options.seeds_given = seeds->count() > 0;

@@ -74,13 +74,6 @@ Contacts::Pair Contacts::zone_pair_of(std::uint32_t z, std::uint32_t b) const {
   return {z, b, rounded_up(reach * reach)};
 }
 
-bool Contacts::zone_meets(std::uint32_t z, std::uint32_t b) const {
-  const BoxData& d = p_.data.boxes[b];
-  const Zone& zone = p_.zones[z];
-  const bool own = zone.owner && zone.owner->body == d.body;
-  return !own && d.low < zone.high && zone.low < d.high && zone.concerns(b);
-}
-
 void Contacts::all_pairs() {
   const auto n = static_cast<std::uint32_t>(p_.data.boxes.size());
   for (std::uint32_t i = 0; i < n && p_.collisions; ++i) {
@@ -90,7 +83,7 @@ void Contacts::all_pairs() {
   }
   for (std::uint32_t z = 0; z < p_.zones.size(); ++z) {
     for (std::uint32_t b = 0; b < n; ++b) {
-      if (zone_meets(z, b)) zone_pairs_.push_back(zone_pair_of(z, b));
+      if (p_.zone_concerns(z, b)) zone_pairs_.push_back(zone_pair_of(z, b));
     }
   }
 }
@@ -181,7 +174,7 @@ void Contacts::rebuild(const State& x) {
       const double reach = zone_reach_[z] + j.radius + margin_;
       const Vec2 gap = at - j.center;
       if (dot(gap, gap) >= reach * reach) return;
-      if (zone_meets(z, j.box)) zone_pairs_.push_back(zone_pair_of(z, j.box));
+      if (p_.zone_concerns(z, j.box)) zone_pairs_.push_back(zone_pair_of(z, j.box));
     };
     visit_cells(at, zone_reach_[z] + small_radius_ + margin_, consider);
     for (const std::uint32_t j : large_) consider({built_at_[j], boxes[j].radius, j});

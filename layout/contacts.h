@@ -74,8 +74,6 @@ class Contacts {
 
  private:
   Pair zone_pair_of(std::uint32_t z, std::uint32_t b) const;
-  /// May the box have to leave the zone, wherever they are?
-  bool zone_meets(std::uint32_t z, std::uint32_t b) const;
   void rebuild(const State& x);
   /// Finds the pairs of these boxes, and of zones that ride with them, anew: in a large hall somebody strays in every
   /// iteration.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/box.h"
-#include "layout/room.h"
+#include "scene/room.h"
 #include "scene/scene.h"
 
 /// The solver's view of a scene: oriented particles and the boxes that they carry.

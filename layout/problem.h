@@ -112,6 +112,13 @@ struct Problem {
     const double ride = zone.owner->rider == Anchor::kBody ? 0 : length(data.riders[zone.owner->rider].offset);
     return ride + length(zone.box.center) + zone.radius;
   }
+  /// May the box have to leave the zone, wherever they are?
+  bool zone_concerns(std::uint32_t z, std::uint32_t b) const {
+    const BoxData& d = data.boxes[b];
+    const Zone& zone = zones[z];
+    const bool own = zone.owner && zone.owner->body == d.body;
+    return !own && d.low < zone.high && zone.low < d.high && zone.concerns(b);
+  }
   /// Both are members of a set that does not collide with itself.
   bool exempt(std::uint32_t i, std::uint32_t j) const {
     const std::uint64_t shared = data.boxes[i].off & data.boxes[j].off;

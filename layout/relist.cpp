@@ -55,7 +55,7 @@ void Contacts::relist(const State& x, std::span<const std::uint32_t> strays) {
   const auto consider = [&](std::uint32_t z, std::uint32_t i, double margin) {
     const auto& on = p_.zones[z].owner;
     const Vec2 at = on ? x.bodies[on->body].p : p_.zones[z].box.center;
-    if (within(at, i, zone_reach_[z] + boxes[i].radius + margin) && zone_meets(z, i))
+    if (within(at, i, zone_reach_[z] + boxes[i].radius + margin) && p_.zone_concerns(z, i))
       fresh.push_back(zone_pair_of(z, i));
   };
   for (const std::uint32_t s : strays) {

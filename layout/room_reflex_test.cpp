@@ -2,7 +2,7 @@
 
 #include "core/rng.h"
 #include "geometry/containment.h"
-#include "layout/room.h"
+#include "scene/room.h"
 
 using namespace inhabit::layout;
 

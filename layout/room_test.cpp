@@ -1,4 +1,4 @@
-#include "layout/room.h"
+#include "scene/room.h"
 
 #include <doctest/doctest.h>
 

@@ -33,11 +33,4 @@ Floor floor_of(const Space& space) {
 Solids::Solids(const Scene& s)
     : scene(s), floor(floor_of(s.space)), relations(s), list(placed(s)), grid(bounds_of(list)) {}
 
-std::optional<DoorFrame> frame(const Space& space, const Door& door) {
-  if (door.wall < 0 || static_cast<std::size_t>(door.wall) >= space.walls()) return std::nullopt;
-  const auto wall = static_cast<std::size_t>(door.wall);
-  const Vec2 along = unit(space.wall_end(wall) - space.wall_start(wall));
-  return DoorFrame{space.wall_start(wall) + door.from * along, along, perp(along)};
-}
-
 }  // namespace inhabit::layout

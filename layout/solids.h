@@ -4,7 +4,7 @@
 #include "geometry/box_grid.h"
 #include "geometry/containment.h"
 #include "layout/relations.h"
-#include "scene/scene.h"
+#include "scene/room.h"
 
 namespace inhabit::layout {
 
@@ -33,12 +33,5 @@ struct Solids {
   const Object& object(const Solid& solid) const { return scene.objects[solid.object]; }
   const std::string& id(const Solid& solid) const { return object(solid).id; }
 };
-
-/// A door in its wall: the jamb nearer to the wall's first corner, the direction along the wall and into the room.
-struct DoorFrame {
-  Vec2 jamb, along, inward;
-};
-/// Nothing when the room has no such wall.
-std::optional<DoorFrame> frame(const Space& space, const Door& door);
 
 }  // namespace inhabit::layout

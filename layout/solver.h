@@ -4,6 +4,10 @@
 
 namespace inhabit::layout {
 
+/// Puts every particle where the start of these options has it before anything is placed with care: given ones there,
+/// the others at random. Marks who stands where the scene says.
+void scatter(const Problem& problem, const Options& options, Rng& rng, State& x, std::vector<bool>& given);
+
 /// One start of the solver: everything it needs, nothing shared, so that starts run side by side.
 ///
 /// Between the rounds of projection (thesis table 5.1, with the schedules of pbd/stiffness.h) come three things that

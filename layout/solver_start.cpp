@@ -5,26 +5,31 @@
 /// Where everything stands before the first projection.
 namespace inhabit::layout {
 
-void Solver::begin() {
-  const std::size_t n = p_.data.bodies.size();
-  const Bounds& room = p_.room.extent();
-  std::vector<bool> placed(n);
-  std::vector<std::uint32_t> unplaced;
-  for (std::uint32_t b = 0; b < n; ++b) {
-    const BodyData& d = p_.data.bodies[b];
-    const bool keep = p_.has_start[b] && (d.w == 0 || options_.start == Start::given);
-    Pose pose = p_.start[b];
-    if (!keep) {
+void scatter(const Problem& p, const Options& options, Rng& rng, State& x, std::vector<bool>& given) {
+  const Bounds& room = p.room.extent();
+  given.assign(p.data.bodies.size(), false);
+  for (std::uint32_t b = 0; b < p.data.bodies.size(); ++b) {
+    const BodyData& d = p.data.bodies[b];
+    given[b] = p.has_start[b] && (d.w == 0 || options.start == Start::given);
+    Pose pose = p.start[b];
+    if (!given[b]) {
       for (int i = 0; i < 32; ++i) {
-        pose.p = {rng_.uniform(room.min.x, room.max.x), rng_.uniform(room.min.y, room.max.y)};
-        if (p_.room.contains(pose.p)) break;
+        pose.p = {rng.uniform(room.min.x, room.max.x), rng.uniform(room.min.y, room.max.y)};
+        if (p.room.contains(pose.p)) break;
       }
     }
-    if (d.turns && !(options_.start == Start::given && p_.has_angle[b])) pose.angle = rng_.uniform(-kPi, kPi);
-    x_.place(b, pose.p, pose.angle);
-    placed[b] = keep;
-    if (!keep) unplaced.push_back(b);
+    if (d.turns && !(options.start == Start::given && p.has_angle[b])) pose.angle = rng.uniform(-kPi, kPi);
+    x.place(b, pose.p, pose.angle);
   }
+}
+
+void Solver::begin() {
+  const std::size_t n = p_.data.bodies.size();
+  std::vector<bool> placed;
+  scatter(p_, options_, rng_, x_, placed);
+  std::vector<std::uint32_t> unplaced;
+  for (std::uint32_t b = 0; b < n; ++b)
+    if (!placed[b]) unplaced.push_back(b);
   if (unplaced.empty()) {
     settles_ = true;
     schedule_ = 20;  // warm: soft constraints correct, they do not rearrange

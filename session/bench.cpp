@@ -11,6 +11,10 @@ namespace inhabit::session {
 std::vector<BenchGroupRow> bench_groups() {
   return {
       {"table1", "times and feasible shares of the papers' scenes beside TVCG table 1", bench_table1},
+      {"against", "position-based beside simulated annealing: the same energy, starts and machine", bench_against,
+       BenchGroupRow::comparison},
+      {"anneal", "furniture learned from examples: times, results and cost of moves beside Yu et al. table 1",
+       bench_anneal, BenchGroupRow::comparison},
       {"growth", "theatre seats against time, TVCG fig. 13", bench_growth},
       {"tight", "the tight bedroom with ever less floor", bench_tight},
       {"interactive", "solved again after one object is dragged", bench_interactive},

@@ -58,7 +58,7 @@ struct BenchGroup {
 struct BenchGroupRow {
   std::string_view name, sentence;
   Result<BenchGroup> (*run)(const BenchOptions&);
-  enum Subject { layout, people } subject = layout;  ///< "layout" stands for every group of the first
+  enum Subject { layout, people, comparison } subject = layout;  ///< "layout" stands for every group of the first
 };
 /// Every group there is, in the order in which they run.
 std::vector<BenchGroupRow> bench_groups();
@@ -71,6 +71,8 @@ double processor_milliseconds();
 Table machine_table();
 
 Result<BenchGroup> bench_table1(const BenchOptions& options);
+Result<BenchGroup> bench_against(const BenchOptions& options);
+Result<BenchGroup> bench_anneal(const BenchOptions& options);
 Result<BenchGroup> bench_growth(const BenchOptions& options);
 Result<BenchGroup> bench_tight(const BenchOptions& options);
 Result<BenchGroup> bench_interactive(const BenchOptions& options);

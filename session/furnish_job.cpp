@@ -6,35 +6,12 @@
 #include "io/check_json.h"
 #include "io/formats/scene_json.h"
 #include "layout/house_rules.h"
+#include "session/furnish_methods.h"
 #include "session/jobs.h"
 #include "session/table.h"
 
 namespace inhabit::session {
 namespace {
-
-/// The layouts that a job asks for, best first.
-struct Layouts {
-  std::vector<layout::Layout> list;
-  std::vector<layout::TraceRow> trace;
-  bool cancelled = false;
-};
-
-Result<Layouts> find_layouts(const Scene& scene, const FurnishJob& job) {
-  Layouts found;
-  if (job.variants > 1) {
-    Result<std::vector<layout::Layout>> several = layout::suggest(scene, job.layout, job.variants);
-    if (!several) return several.error();
-    found.list = std::move(*several);
-    found.cancelled = job.layout.cancel && job.layout.cancel->requested();
-    return found;
-  }
-  Result<layout::Outcome> outcome = layout::furnish(scene, job.layout);
-  if (!outcome) return outcome.error();
-  found.list.push_back(std::move(outcome->best));
-  found.trace = std::move(outcome->trace);
-  found.cancelled = outcome->cancelled;
-  return found;
-}
 
 Result<FurnishedRoom> furnish_room(const Scene& original, const FurnishJob& job, bool& cancelled) {
   Scene scene = original;
@@ -43,18 +20,15 @@ Result<FurnishedRoom> furnish_room(const Scene& original, const FurnishJob& job,
   FurnishedRoom room;
   room.name = scene.name;
   const auto begin = std::chrono::steady_clock::now();
-  Result<Layouts> found = find_layouts(scene, job);
+  Result<Found> found =
+      job.method == Method::pbd ? furnish_by_projection(scene, job) : furnish_by_annealing(scene, job);
   room.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (!found) return found.error();
   cancelled = cancelled || found->cancelled;
+  room.suggestions = std::move(found->list);
   room.trace = std::move(found->trace);
-  for (layout::Layout& layout : found->list) {
-    Suggestion suggestion;
-    suggestion.scene = layout::with_placement(scene, layout.placement);
-    suggestion.report = layout::check(suggestion.scene);
-    suggestion.layout = std::move(layout);
-    room.suggestions.push_back(std::move(suggestion));
-  }
+  room.anneal_trace = std::move(found->anneal_trace);
+  room.notes = std::move(found->notes);
   return room;
 }
 
@@ -128,6 +102,7 @@ std::string furnish_text(const Furnished& furnished) {
   std::string text;
   for (const FurnishedRoom& room : furnished.rooms) {
     if (room.error) text += room.name + ": not furnished: " + room.error->text() + "\n";
+    for (const std::string& note : room.notes) text += "note: " + note + "\n";
     for (std::size_t k = 0; k < room.suggestions.size(); ++k) {
       text += summary_line(room, k);
       if (k == 0 || !room.suggestions[k].report.feasible)
@@ -148,6 +123,7 @@ std::string furnish_json(const Furnished& furnished, bool with_scenes) {
     item["name"] = room.name;
     item["seconds"] = room.seconds;
     if (room.error) item["error"] = room.error->text();
+    if (!room.notes.empty()) item["notes"] = room.notes;
     item["suggestions"] = nlohmann::ordered_json::array();
     for (const Suggestion& s : room.suggestions) {
       nlohmann::ordered_json entry;
@@ -169,6 +145,19 @@ std::string trace_csv(const std::vector<layout::TraceRow>& trace) {
   for (const layout::TraceRow& row : trace) {
     csv += std::to_string(row.start) + ',' + std::to_string(row.iteration) + ',' + shortest(row.energy) + ',';
     csv += shortest(row.overlap) + (row.feasible ? ",1" : ",0") + (row.relocated ? ",1\n" : ",0\n");
+  }
+  return csv;
+}
+
+std::string trace_csv(const std::vector<annealing::TraceRow>& trace) {
+  std::string csv = "start,iteration,temperature,cost";
+  for (const std::string_view name : annealing::term_names()) csv += ',' + std::string(name);
+  csv += '\n';
+  for (const annealing::TraceRow& row : trace) {
+    csv += std::to_string(row.start) + ',' + std::to_string(row.iteration) + ',' + shortest(row.temperature) + ',';
+    csv += shortest(row.cost);
+    for (const double part : row.parts) csv += ',' + shortest(part);
+    csv += '\n';
   }
   return csv;
 }

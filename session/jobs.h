@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "annealing/arrange.h"
 #include "layout/check.h"
 #include "layout/furnish.h"
 #include "session/document.h"
@@ -12,7 +13,16 @@
 /// reads a terminal, prints or ends the program.
 namespace inhabit::session {
 
+enum class Method {
+  pbd,     ///< position-based projection (TVCG)
+  anneal,  ///< simulated annealing towards learned priors (Yu et al. 2011)
+  both     ///< annealed, then settled by projection
+};
+
 struct FurnishJob {
+  Method method = Method::pbd;
+  std::optional<Priors> priors;  ///< Requires: given unless the method is pbd
+  annealing::Options anneal;     ///< seed, starts, threads, progress and cancel are those of `layout`
   layout::Options layout;
   int variants = 1;          ///< distinct suggestions for each room, best first
   bool house_rules = false;  ///< constraints by kind for rooms that state none
@@ -29,6 +39,8 @@ struct FurnishedRoom {
   std::string name;
   std::vector<Suggestion> suggestions;  ///< best first; empty when `error` says why
   std::vector<layout::TraceRow> trace;
+  std::vector<annealing::TraceRow> anneal_trace;
+  std::vector<std::string> notes;  ///< what people should know: weak priors, objects that found no wall
   std::optional<Error> error;
   double seconds = 0;
 };
@@ -54,6 +66,10 @@ std::string furnish_text(const Furnished& furnished);
 std::string furnish_json(const Furnished& furnished, bool with_scenes);
 /// start,iteration,energy,overlap,feasible,relocated
 std::string trace_csv(const std::vector<layout::TraceRow>& trace);
+/// start,iteration,temperature,cost and a column for each cost term, weighted
+std::string trace_csv(const std::vector<annealing::TraceRow>& trace);
+/// A weight of the annealing's cost by its term's name ("pair angle", also "pair-angle"). Errors name the nearest.
+Status set_weight(annealing::Weights& weights, std::string_view name, double value);
 
 struct CheckedRoom {
   std::string name;

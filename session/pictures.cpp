@@ -1,7 +1,9 @@
 #include "session/pictures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 #include "render/plan.h"
 #include "render/plot.h"
@@ -105,6 +107,47 @@ Result<std::string> sheet_picture(const BenchSheet& sheet, std::string_view file
   render::SheetOptions options;
   options.title = sheet.title, options.columns = sheet.columns;
   return encoded(render::draw_sheet(cells, options), file_name, {});
+}
+
+Result<std::string> trace_picture(const std::vector<annealing::TraceRow>& trace, std::string_view title,
+                                  std::string_view file_name) {
+  // The cheapest start: rows of one start follow each other.
+  std::map<int, double> last;
+  for (const annealing::TraceRow& row : trace) last[row.start] = row.cost;
+  const auto best = std::ranges::min_element(last, {}, [](const auto& entry) { return entry.second; });
+  render::Plot plot;
+  plot.title = title.empty() ? "Cost by term" : std::string(title);
+  plot.subtitle = "weighted, as annealing goes on";
+  if (last.size() > 1) plot.subtitle += "; the cheapest of " + std::to_string(last.size()) + " starts";
+  plot.x.label = "iteration";
+  plot.y.label = "cost";
+  plot.y.log = true;
+  render::Series total{"all"};
+  total.color = render::rgb(0x222222), total.width = 2.4;
+  std::vector<render::Series> parts;
+  constexpr std::array kColors = {0xc2603au, 0x2e8b57u, 0x7b4fa0u, 0xb8952eu, 0x5a6778u,
+                                  0x1f6fb2u, 0xd04a8cu, 0xc0392bu, 0x8a8a8au};
+  for (const std::string_view name : annealing::term_names()) {
+    render::Series part{std::string(name)};
+    part.color = render::rgb(kColors[parts.size() % kColors.size()]);
+    part.width = 1.4, part.dashed = parts.size() >= 7;  // our own two
+    parts.push_back(std::move(part));
+  }
+  double most = 0;
+  for (const annealing::TraceRow& row : trace) most = std::max(most, row.cost);
+  // Below a hundred thousandth nothing is to be seen; a logarithm needs something.
+  const double least = most * 1e-5;
+  for (const annealing::TraceRow& row : trace) {
+    if (row.start != best->first) continue;
+    const auto x = static_cast<double>(row.iteration);
+    total.points.push_back({x, std::max(row.cost, least)});
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      parts[k].points.push_back({x, row.parts[k] > least ? row.parts[k] : std::nan("")});
+  }
+  plot.series.push_back(std::move(total));
+  for (render::Series& part : parts)
+    if (std::ranges::any_of(part.points, [](Vec2 p) { return p.y > 0; })) plot.series.push_back(std::move(part));
+  return encoded(render::draw_plot(plot), file_name, {});
 }
 
 Result<std::string> curve_picture(const BenchCurve& curve, std::string_view file_name) {

@@ -37,6 +37,10 @@ Result<std::string> trace_picture(const std::vector<layout::TraceRow>& trace, st
 /// A bench's rooms side by side.
 Result<std::string> sheet_picture(const BenchSheet& sheet, std::string_view file_name);
 
+/// Cost by term over the iterations of the start that ended cheapest.
+Result<std::string> trace_picture(const std::vector<annealing::TraceRow>& trace, std::string_view title,
+                                  std::string_view file_name);
+
 /// A bench's curve.
 Result<std::string> curve_picture(const BenchCurve& curve, std::string_view file_name);
 

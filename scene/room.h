@@ -5,8 +5,7 @@
 #include "scene/scene.h"
 
 /// The border of a space as the solver meets it: walls to be pushed back by, and solid holes.
-namespace inhabit::layout {
-using namespace scene;
+namespace inhabit::scene {
 
 struct Wall {
   Vec2 a, b;
@@ -102,4 +101,11 @@ void Room::concave_violations(const Box& box, F&& f) const {
   }
 }
 
-}  // namespace inhabit::layout
+/// A door in its wall: the jamb nearer to the wall's first corner, the direction along the wall and into the room.
+struct DoorFrame {
+  Vec2 jamb, along, inward;
+};
+/// Nothing when the room has no such wall.
+std::optional<DoorFrame> frame(const Space& space, const Door& door);
+
+}  // namespace inhabit::scene

@@ -1,9 +1,9 @@
-#include "layout/room.h"
+#include "scene/room.h"
 
 #include <algorithm>
 #include <initializer_list>
 
-namespace inhabit::layout {
+namespace inhabit::scene {
 namespace {
 
 std::vector<Ring> hole_outlines(const Space& space) {
@@ -121,4 +121,11 @@ Separation Room::wall_push(const Box& box, std::size_t k) const {
   return best;
 }
 
-}  // namespace inhabit::layout
+std::optional<DoorFrame> frame(const Space& space, const Door& door) {
+  if (door.wall < 0 || static_cast<std::size_t>(door.wall) >= space.walls()) return std::nullopt;
+  const auto wall = static_cast<std::size_t>(door.wall);
+  const Vec2 along = unit(space.wall_end(wall) - space.wall_start(wall));
+  return DoorFrame{space.wall_start(wall) + door.from * along, along, perp(along)};
+}
+
+}  // namespace inhabit::scene
