@@ -6,6 +6,14 @@ namespace inhabit::session {
 
 double neat(double metres) { return std::round(metres * 1e6) / 1e6; }
 
+Scene room_to_walk(std::string name, Ring outline, double seconds) {
+  Scene scene;
+  scene.name = std::move(name);
+  scene.space.outline = std::move(outline);
+  scene.crowd.seconds = seconds;
+  return scene;
+}
+
 Ring rectangle(double x0, double y0, double x1, double y1) {
   const double a = neat(x0), b = neat(y0), c = neat(x1), d = neat(y1);
   return {{a, b}, {c, b}, {c, d}, {a, d}};

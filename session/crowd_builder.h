@@ -12,6 +12,9 @@ using namespace scene;
 /// Whole micrometres, so that files are readable.
 double neat(double metres);
 
+/// An empty room in which people are to walk for so long.
+Scene room_to_walk(std::string name, Ring outline, double seconds);
+
 /// Counter-clockwise, axis-parallel.
 Ring rectangle(double x0, double y0, double x1, double y1);
 

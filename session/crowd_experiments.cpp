@@ -10,14 +10,6 @@
 namespace inhabit::session {
 namespace {
 
-Scene named(std::string name, Ring outline, double seconds) {
-  Scene scene;
-  scene.name = std::move(name);
-  scene.space.outline = std::move(outline);
-  scene.crowd.seconds = seconds;
-  return scene;
-}
-
 Body heading_for(const std::string& goal) {
   Body body = pedestrian_body();
   body.goal = route_to({goal});
@@ -30,7 +22,7 @@ Body heading_for(const std::string& goal) {
 /// frame they stand between x = -2.6 and 2.2 and up to y = 6. The barriers are the published ones. The recording takes
 /// 66 s.
 Scene experiment_bottleneck_040() {
-  Scene scene = named("experiment-bottleneck-040", rectangle(-3.5, -2, 3.5, 8), 90);
+  Scene scene = room_to_walk("experiment-bottleneck-040", rectangle(-3.5, -2, 3.5, 8), 90);
   scene.space.holes = {{"left-barrier",
                         {{-3.05, -0.3},
                          {-0.7, -0.3},
@@ -78,8 +70,9 @@ Scene experiment_unidirectional(int entrance) {
     ring.back() = {0, -3.8}, ring.insert(ring.end(), {{a, -3.8}, {a, -4}});
   }
   ring.insert(ring.end(), {{-1, -4}, {-1, -6.5}, {2.8, -6.5}, {2.8, -4}});
-  Scene scene = named("experiment-unidirectional-" + centimetres(run->entrance) + "-180-" + centimetres(run->exit),
-                      std::move(ring), run->seconds);
+  Scene scene =
+      room_to_walk("experiment-unidirectional-" + centimetres(run->entrance) + "-180-" + centimetres(run->exit),
+                   std::move(ring), run->seconds);
   scene.crowd.goals = {area_goal("end", rectangle(-1, -6.5, 2.8, -5.9))};
   const double half = std::max(0.25, run->entrance / 200.0);
   scene.crowd.sources = {inflow("entrance", rectangle(0.9 - half, 7, 0.9 + half, 8), run->people, run->first, run->last,
@@ -89,7 +82,7 @@ Scene experiment_unidirectional(int entrance) {
 
 /// BaSiGo 2013, one-way corridor 5 m wide, walked towards -x.
 Scene experiment_unidirectional_500() {
-  Scene scene = named("experiment-unidirectional-500", rectangle(-6, 0, 7, 5), 95);
+  Scene scene = room_to_walk("experiment-unidirectional-500", rectangle(-6, 0, 7, 5), 95);
   scene.crowd.goals = {area_goal("end", rectangle(-6, 0, -5.4, 5))};
   scene.crowd.sources = {inflow("entrance", rectangle(4.6, 0.4, 6.6, 4.6), 148, 3.9, 74.4, heading_for("end"))};
   return scene;
@@ -105,20 +98,20 @@ Scene experiment_bidirectional(int entrance) {
   };
   const Run run =
       entrance == 50 ? Run{50, 61, 57, 6.75, 56.75, 5.25, 52.0625} : Run{90, 105, 109, 6.625, 60.875, 6.375, 60.9375};
-  Scene scene = named("experiment-bidirectional-0" + std::to_string(entrance),
-                      {{3.6, -4},
-                       {3.6, 4},
-                       {5.1, 4},
-                       {5.1, 8},
-                       {-1.5, 8},
-                       {-1.5, 4},
-                       {0, 4},
-                       {0, -4},
-                       {-1.5, -4},
-                       {-1.5, -8},
-                       {5.1, -8},
-                       {5.1, -4}},
-                      90);
+  Scene scene = room_to_walk("experiment-bidirectional-0" + std::to_string(entrance),
+                             {{3.6, -4},
+                              {3.6, 4},
+                              {5.1, 4},
+                              {5.1, 8},
+                              {-1.5, 8},
+                              {-1.5, 4},
+                              {0, 4},
+                              {0, -4},
+                              {-1.5, -4},
+                              {-1.5, -8},
+                              {5.1, -8},
+                              {5.1, -4}},
+                             90);
   scene.crowd.goals = {
       area_goal("north-west", rectangle(-1.5, 4.5, -0.7, 7)), area_goal("north-east", rectangle(4.3, 4.5, 5.1, 7)),
       area_goal("south-west", rectangle(-1.5, -7, -0.7, -4.5)), area_goal("south-east", rectangle(4.3, -7, 5.1, -4.5))};
@@ -134,7 +127,7 @@ Scene experiment_bidirectional(int entrance) {
 /// Hermes 2009, a corridor 3 m wide that turns by 90 degrees to the right; people come from +x and leave towards +y.
 /// 1.5 m longer than the published area at its beginning, so that those who come in have room.
 Scene experiment_corner() {
-  Scene scene = named("experiment-corner", {{-3, -3}, {6.5, -3}, {6.5, 0}, {0, 0}, {0, 5}, {-3, 5}}, 75);
+  Scene scene = room_to_walk("experiment-corner", {{-3, -3}, {6.5, -3}, {6.5, 0}, {0, 0}, {0, 5}, {-3, 5}}, 75);
   scene.crowd.goals = {area_goal("end", rectangle(-3, 4.2, 0, 5))};
   scene.crowd.sources = {inflow("entrance", rectangle(4, -2.8, 6.3, -0.2), 137, 3.3125, 46.3, heading_for("end"))};
   return scene;
@@ -143,8 +136,9 @@ Scene experiment_corner() {
 /// Hermes 2009, run KO 240-050-240: two streams of 67 meet and leave together, all corridors 2.4 m wide. The arms are
 /// 1.5 m longer than the published area.
 Scene experiment_t_junction() {
-  Scene scene = named("experiment-t-junction",
-                      {{-6.5, -2.4}, {5.5, -2.4}, {5.5, 0}, {0, 0}, {0, 5}, {-2.4, 5}, {-2.4, 0}, {-6.5, 0}}, 90);
+  Scene scene =
+      room_to_walk("experiment-t-junction",
+                   {{-6.5, -2.4}, {5.5, -2.4}, {5.5, 0}, {0, 0}, {0, 5}, {-2.4, 5}, {-2.4, 0}, {-6.5, 0}}, 90);
   scene.crowd.goals = {area_goal("end", rectangle(-2.4, 4.2, 0, 5))};
   scene.crowd.sources = {inflow("left", rectangle(-6.3, -2.2, -4.6, -0.2), 67, 6.9375, 62.0625, heading_for("end")),
                          inflow("right", rectangle(3.6, -2.2, 5.3, -0.2), 67, 5.5625, 59.625, heading_for("end"))};
@@ -170,8 +164,8 @@ Scene experiment_single_file(int people) {
       ring.push_back({-ring[static_cast<std::size_t>(k)].x, -ring[static_cast<std::size_t>(k)].y});
     return ring;
   };
-  Scene scene = named("experiment-single-file-" + std::string(people < 10 ? "0" : "") + std::to_string(people),
-                      oval(radius + half_width), 120);
+  Scene scene = room_to_walk("experiment-single-file-" + std::string(people < 10 ? "0" : "") + std::to_string(people),
+                             oval(radius + half_width), 120);
   scene.space.holes = {{"middle", oval(radius - half_width), {}}};
   // Way points across the corridor, 2 cm short of its bent walls, in the order of walking; between two of them the
   // corridor bends once.

@@ -9,14 +9,6 @@
 namespace inhabit::session {
 namespace {
 
-Scene named(std::string name, Ring outline, double seconds) {
-  Scene scene;
-  scene.name = std::move(name);
-  scene.space.outline = std::move(outline);
-  scene.crowd.seconds = seconds;
-  return scene;
-}
-
 Body heading_for(std::vector<std::string> goals) {
   Body body = pedestrian_body();
   body.goal = route_to(std::move(goals));
@@ -33,7 +25,7 @@ Goal exit_goal(std::string id, Opening o, double wall, double outward) {
 
 /// One person, 40 m along a corridor 2 m wide at 1.33 m/s: 26 to 34 s. He begins at x = 0.
 Scene rimea_01() {
-  Scene scene = named("rimea-01", rectangle(-2, 0, 42, 2), 60);
+  Scene scene = room_to_walk("rimea-01", rectangle(-2, 0, 42, 2), 60);
   scene.crowd.goals = {area_goal("end", rectangle(40, 0, 42, 2))};
   Body body = heading_for({"end"});
   body.speed = {1.33, 0, {}};
@@ -46,8 +38,8 @@ Scene rimea_01() {
 /// within hundreds of metres of it.
 Scene rimea_04(double density) {
   const int tenths = static_cast<int>(std::lround(density * 10));
-  Scene scene = named("rimea-04-density-" + std::string(tenths < 10 ? "0" : "") + std::to_string(tenths),
-                      rectangle(0, 0, 1000, 10), 70);
+  Scene scene = room_to_walk("rimea-04-density-" + std::string(tenths < 10 ? "0" : "") + std::to_string(tenths),
+                             rectangle(0, 0, 1000, 10), 70);
   scene.crowd.goals = {area_goal("end", rectangle(998, 0, 1000, 10))};
   Body body = heading_for({"end"});
   body.speed = {1.3, 0.033, {}};
@@ -61,7 +53,7 @@ Scene rimea_04(double density) {
 /// evenly from 10 to 100 s: a goal to wait at, for each, where he stands.
 Scene rimea_05() {
   const Opening exit{2, 3};
-  Scene scene = named("rimea-05", hall_with_exits(5, 8, {}, {exit}), 130);
+  Scene scene = room_to_walk("rimea-05", hall_with_exits(5, 8, {}, {exit}), 130);
   scene.crowd.goals = {exit_goal("exit", exit, 8, 1)};
   for (int k = 0; k < 10; ++k) {
     const Vec2 at{1.5 + 2 * (k % 2), 1 + 1.25 * (k / 2)};
@@ -77,7 +69,7 @@ Scene rimea_05() {
 
 /// Twenty people round a corner to the left, from the first 6 m of a corridor 2 m wide.
 Scene rimea_06() {
-  Scene scene = named("rimea-06", {{0, 0}, {12, 0}, {12, 12}, {10, 12}, {10, 2}, {0, 2}}, 60);
+  Scene scene = room_to_walk("rimea-06", {{0, 0}, {12, 0}, {12, 12}, {10, 12}, {10, 2}, {0, 2}}, 60);
   scene.crowd.goals = {area_goal("end", rectangle(10, 11, 12, 12))};
   scene.crowd.populations = {people_in("group", rectangle(0, 0, 6, 2), 20, heading_for({"end"}))};
   return scene;
@@ -85,7 +77,7 @@ Scene rimea_06() {
 
 /// Fifty adults on a field of 40 m by 50 m; their speeds are to follow Weidmann's distribution.
 Scene rimea_07() {
-  Scene scene = named("rimea-07", rectangle(0, 0, 40, 50), 60);
+  Scene scene = room_to_walk("rimea-07", rectangle(0, 0, 40, 50), 60);
   scene.crowd.goals = {area_goal("end", rectangle(39, 0, 40, 50))};
   scene.crowd.populations = {grid_of_people("adults", {1, 0.5}, 1, 50, 1, 0, heading_for({"end"}))};
   return scene;
@@ -95,8 +87,8 @@ Scene rimea_07() {
 Scene rimea_09(bool four_exits) {
   const std::vector<Opening> exits = {{4, 5}, {25, 26}};
   Scene scene =
-      named(four_exits ? "rimea-09-four-exits" : "rimea-09-two-exits",
-            hall_with_exits(30, 20, exits, four_exits ? exits : std::vector<Opening>{}), four_exits ? 300 : 600);
+      room_to_walk(four_exits ? "rimea-09-four-exits" : "rimea-09-two-exits",
+                   hall_with_exits(30, 20, exits, four_exits ? exits : std::vector<Opening>{}), four_exits ? 300 : 600);
   scene.crowd.goals = {exit_goal("exit-3", exits[0], 0, -1), exit_goal("exit-4", exits[1], 0, -1)};
   Body body = pedestrian_body();
   body.goal.legs = {{"exit-3", "exit-4"}};
@@ -145,7 +137,7 @@ Scene rimea_10() {
       for (const Vec2 p : {Vec2{7.2, 6}, {7.2, 11}, {6, 11}, {6, 6}}) ring.push_back(p);
   }
   ring.push_back({0, 6});
-  Scene scene = named("rimea-10", std::move(ring), 60);
+  Scene scene = room_to_walk("rimea-10", std::move(ring), 60);
   scene.crowd.goals = {area_goal("main-exit", rectangle(6, 10, 7.2, 11)),
                        area_goal("secondary-exit", rectangle(18.2, 5, 19, 6))};
   for (int k = 0; k < 12; ++k) {
@@ -163,7 +155,7 @@ Scene rimea_10() {
 /// right: most take the nearer one.
 Scene rimea_11() {
   const std::vector<Opening> exits = {{21, 22}, {27, 28}};
-  Scene scene = named("rimea-11", hall_with_exits(30, 20, {}, exits), 600);
+  Scene scene = room_to_walk("rimea-11", hall_with_exits(30, 20, {}, exits), 600);
   scene.crowd.goals = {exit_goal("exit-1", exits[0], 20, 1), exit_goal("exit-2", exits[1], 20, 1)};
   Body body = pedestrian_body();
   body.goal.legs = {{"exit-1", "exit-2"}};
@@ -174,24 +166,24 @@ Scene rimea_11() {
 /// 150 people in the far half of a room of 10 m by 10 m that a corridor of 5 m by 1 m joins to a second room with an
 /// exit of 1 m: the jam is in the first room, not in the second.
 Scene rimea_12() {
-  Scene scene = named("rimea-12",
-                      {{0, -5},
-                       {10, -5},
-                       {10, -0.5},
-                       {15, -0.5},
-                       {15, -5},
-                       {25, -5},
-                       {25, -0.5},
-                       {26, -0.5},
-                       {26, 0.5},
-                       {25, 0.5},
-                       {25, 5},
-                       {15, 5},
-                       {15, 0.5},
-                       {10, 0.5},
-                       {10, 5},
-                       {0, 5}},
-                      240);
+  Scene scene = room_to_walk("rimea-12",
+                             {{0, -5},
+                              {10, -5},
+                              {10, -0.5},
+                              {15, -0.5},
+                              {15, -5},
+                              {25, -5},
+                              {25, -0.5},
+                              {26, -0.5},
+                              {26, 0.5},
+                              {25, 0.5},
+                              {25, 5},
+                              {15, 5},
+                              {15, 0.5},
+                              {10, 0.5},
+                              {10, 5},
+                              {0, 5}},
+                             240);
   scene.crowd.goals = {area_goal("exit", rectangle(25.5, -0.5, 26, 0.5))};
   scene.crowd.populations = {people_in("crowd", rectangle(0, -5, 5, 5), 150, heading_for({"exit"}))};
   return scene;
@@ -202,7 +194,7 @@ Scene rimea_12() {
 Scene rimea_15(Rimea15 geometry) {
   const bool corner = geometry == Rimea15::corner;
   const double length = geometry == Rimea15::straight_long ? 81 : corner ? 60 : 50;
-  Scene scene = named(
+  Scene scene = room_to_walk(
       corner                               ? "rimea-15-corner"
       : geometry == Rimea15::straight_long ? "rimea-15-long"
                                            : "rimea-15-short",

@@ -130,22 +130,30 @@ class SceneReader : public ObjectReader<SceneReader> {
     }
     return true;
   }
-  bool read_constraint(JsonValue v, Constraints& out) {
+  /// An object whose "type" is the name of one of the kinds: `f` reads it as that.
+  template <class Kinds, class F>
+  bool read_by_type(Kinds kinds, JsonValue v, const std::string& what, F&& f) {
     if (!expect(v, Json::object)) return false;
     const JsonValue type = v.find("type");
     if (type.none()) return fail(v, "\"type\" is missing");
     if (!expect(type, Json::text)) return false;
     bool found = false, good = false;
     std::vector<std::string_view> names;
-    for_each_type(ConstraintKinds{}, [&]<class T>(std::type_identity<T>) {
+    for_each_type(kinds, [&]<class T>(std::type_identity<T> kind) {
       names.push_back(T::kName);
       if (found || type.text() != T::kName) return;
       found = true;
-      T constraint;
-      good = read_object(v, constraint, {"type"}) && check_constraint(v, constraint);
-      if (good) out.add(std::move(constraint));
+      good = f(kind);
     });
-    return found ? good : fail(type, "unknown constraint " + quoted(type.text()) + did_you_mean(type.text(), names));
+    return found ? good : fail(type, "unknown " + what + " " + quoted(type.text()) + did_you_mean(type.text(), names));
+  }
+  bool read_constraint(JsonValue v, Constraints& out) {
+    return read_by_type(ConstraintKinds{}, v, "constraint", [&]<class T>(std::type_identity<T>) {
+      T constraint;
+      if (!read_object(v, constraint, {"type"}) || !check_constraint(v, constraint)) return false;
+      out.add(std::move(constraint));
+      return true;
+    });
   }
   template <class T>
   bool check_constraint(JsonValue v, T& constraint) {
@@ -195,29 +203,20 @@ class SceneReader : public ObjectReader<SceneReader> {
     return true;
   }
   bool read(JsonValue v, CrowdModel& out, const Spec&) {
-    if (!expect(v, Json::object)) return false;
-    const JsonValue type = v.find("type");
-    if (type.none()) return fail(v, "\"type\" is missing");
-    if (!expect(type, Json::text)) return false;
-    bool found = false, good = false;
-    std::vector<std::string_view> names;
-    for_each_type(CrowdModels{}, [&]<class T>(std::type_identity<T>) {
-      names.push_back(T::kName);
-      if (found || type.text() != T::kName) return;
-      found = true;
+    return read_by_type(CrowdModels{}, v, "model", [&]<class T>(std::type_identity<T>) {
       T model;
       if constexpr (std::is_same_v<T, PbdModel>) {
         const auto& field = PbdModel::kFields.front();
         int preset = static_cast<int>(kUsualPreset);
         if (const JsonValue given = v.find(field.name);
             !given.none() && !choice(given, preset, Spec{.choices = field.choices}))
-          return;
+          return false;
         model = PbdModel::of_preset(static_cast<PbdModel::Preset>(preset));
       }
-      good = read_object(v, model, {"type"});
+      const bool good = read_object(v, model, {"type"});
       out = model;
+      return good;
     });
-    return found ? good : fail(type, "unknown model " + quoted(type.text()) + did_you_mean(type.text(), names));
   }
 
   Names names_;

@@ -4,7 +4,7 @@
 #include "geometry/containment.h"
 #include "scene/room.h"
 
-using namespace inhabit::layout;
+using namespace inhabit::scene;
 
 namespace {
 constexpr double kTolerance = 1e-6;
