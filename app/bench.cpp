@@ -86,7 +86,8 @@ std::function<int()> set_up_bench(CLI::App& verb) {
       ->type_name("DIR");
   verb.add_flag("--json", b->json, "One JSON object on standard output and nothing else there");
   verb.add_flag("-q,--quiet", b->quiet, "No progress");
-  verb.footer("Groups:\n  layout      all of these\n" + session::bench_group_lines() +
+  verb.footer("Groups:\n  layout      every group about furniture but against and anneal\n" +
+              session::bench_group_lines() +
               "Times are of one start on one thread unless a column says otherwise.\n"
               "Examples:\n  inhabit bench layout\n  inhabit bench table1 --seeds 20 --json\n  inhabit bench layout "
               "--against anneal --plots plots\n  inhabit bench growth "
