@@ -28,7 +28,7 @@ struct Effort {
 ///   - avoidance keeps of the tangential displacement (eq. 4.13) what lies across the relative way. The part along it
 ///     brings two nearer and faster: with it every encounter stirred people up, to 0.4 m/s sideways in a crowd that all
 ///     walks one way, and no lanes held;
-///   - of the velocity that a contact gives to whoever it pushes away 6 % are lost in each sub-step (kRebound).
+///   - the velocity that a contact gives to whoever it pushes away falls off in 42 ms (kReboundTime).
 class Pbd {
  public:
   using Parameters = scene::PbdModel;

@@ -296,16 +296,16 @@ void project(Work& work, const Constants& k, std::size_t chunk) {
 }
 
 /// What is left of the velocity that a contact gives to somebody who had another: of what pushes, beyond bringing to
-/// rest, a share of kRebound.
-HWY_INLINE Pair damped(Pair before, Pair after) {
+/// rest, the share `lost` goes.
+HWY_INLINE Pair damped(V lost, Pair before, Pair after) {
   const Pair change = after - before;
   const V square = hn::Max(dot(change, change), set(1e-12f));
   const V pushed = hn::Min(hn::Max(dot(after, change), hn::Zero(kD)), square);
-  return after - scaled(hn::Div(hn::Mul(set(1 - kRebound), pushed), square), change);
+  return after - scaled(hn::Div(hn::Mul(lost, pushed), square), change);
 }
 
 void finish(Work& work, const Constants& k, std::size_t chunk) {
-  const V part = set(k.part);
+  const V part = set(k.part), lost = set(1 - rebound(k.part));
   for_each_vector_of(work, chunk, true, [&](std::size_t i) {
     const Pair wish = load(work.wish, i), wanted = blended(k, load(work.v, i), wish);
     // The blended velocity plus what was corrected: the difference of positions alone would lose it to rounding far
@@ -313,7 +313,7 @@ void finish(Work& work, const Constants& k, std::size_t chunk) {
     const Pair begun = load(work.at, i) + scaled(part, wanted);
     const Pair thrown = shortened(wanted + scaled(set(k.inverse_part), load(work.corrected, i) - begun),
                                   hn::Load(kD, work.maximum_speed.data() + i));
-    const Pair moved = load(work.moved, i) + scaled(part, thrown), v = damped(wanted, thrown);
+    const Pair moved = load(work.moved, i) + scaled(part, thrown), v = damped(lost, wanted, thrown);
     const Pair to = load(work.base, i) + moved;
     store(v, work.v, i), store(moved, work.moved, i), store(to, work.next, i);
     store(to + scaled(part, blended(k, v, wish)), work.corrected, i);

@@ -82,11 +82,11 @@ Vec blended(const Work& work, const Constants& k, std::size_t i) {
 }
 
 /// What is left of the velocity that a contact gives.
-Vec damped(Vec before, Vec after) {
+Vec damped(const Constants& k, Vec before, Vec after) {
   const Vec change = after - before;
   const float square = std::max(dot(change, change), 1e-12f);
   const float pushed = std::min(std::max(dot(after, change), 0.0f), square);
-  return after - ((1 - kRebound) * pushed / square) * change;
+  return after - ((1 - rebound(k.part)) * pushed / square) * change;
 }
 
 /// Calls f(i) for every agent of a chunk's blocks that are busy, or of those that are not.
@@ -306,7 +306,7 @@ void finish(Work& work, const Constants& k, std::size_t chunk) {
     const Vec correction = at(work.corrected, i) - begun;
     const Vec before = blended(work, k, i);
     const Vec thrown = shortened(before + k.inverse_part * correction, work.maximum_speed[i]);
-    put(damped(before, thrown), work.v, i);
+    put(damped(k, before, thrown), work.v, i);
     put(at(work.moved, i) + k.part * thrown, work.moved, i);
     put(at(work.base, i) + at(work.moved, i), work.next, i);
     put(at(work.next, i) + k.part * blended(work, k, i), work.corrected, i);
