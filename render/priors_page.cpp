@@ -65,6 +65,7 @@ void list_modes(Drawing& card, Vec2 at, const std::vector<std::string>& lines) {
 void draw_round(Drawing& card, Vec2 center, double radius, const PairPrior& prior, const PairEvidence& evidence) {
   double far = 0.5 * std::max(evidence.first_size.x, evidence.first_size.y) + 0.1;
   for (const PairSample& s : evidence.samples) far = std::max(far, s.distance + 0.2);
+  for (const PairMode& m : prior.modes) far = std::max(far, m.distance + 0.2);
   const double scale = radius / far;
   const auto page = [&](double bearing, double distance) {
     const Vec2 d = distance * direction(wrap_angle(bearing));

@@ -158,7 +158,7 @@ class Trial {
   void furnish(const HeldOut& home, const Scene& room, const scene::Priors& all) {
     const Scene stripped = layout::without_positions(room);
     const bool pictured = pictured_.insert(home.home).second && pictured_.size() <= kPictured;
-    if (pictured) sheet_.cells.push_back({room, home.home + ": " + room.name});
+    if (pictured) sheet_.cells.push_back({room, room.name + " as designed"});
     for (std::size_t m = 0; m < methods_.size(); ++m) {
       Tried& tried = tried_[m + 1];
       for (int seed = 1; seed <= seeds_; ++seed) {

@@ -8,6 +8,7 @@
 #include "exemplar/pairs.h"
 #include "layout/check.h"
 #include "layout/house_rules.h"
+#include "session/jobs.h"
 #include "session/learn_job.h"
 
 namespace inhabit::session {
@@ -74,6 +75,19 @@ Result<std::vector<HeldOut>> held_out_homes(std::span<const Document> homes, std
 }
 
 std::vector<RealMethod> real_methods(const layout::Options& base) {
+  const auto by_priors = [base](Method method) {
+    return [base, method](const Scene& stripped, const scene::Priors& priors, std::uint64_t seed) -> Result<Scene> {
+      FurnishJob job;
+      job.method = method, job.priors = priors, job.layout = base;
+      job.layout.seed = seed, job.layout.threads = 1, job.layout.start = layout::Start::random;
+      job.anneal.given = false;
+      Document room;
+      room.scenes = {stripped};
+      Result<Furnished> furnished = furnish_job(room, job);
+      if (!furnished) return furnished.error();
+      return std::move(furnished->rooms.front().suggestions.front().scene);
+    };
+  };
   const auto place = [base](const Scene& scene, std::uint64_t seed) -> Result<Scene> {
     layout::Options options = base;
     options.seed = seed, options.threads = 1, options.start = layout::Start::random;
@@ -83,11 +97,15 @@ std::vector<RealMethod> real_methods(const layout::Options& base) {
   };
   return {{"no wishes",
            [place](const Scene& stripped, const scene::Priors&, std::uint64_t seed) { return place(stripped, seed); }},
-          {"house rules", [place](const Scene& stripped, const scene::Priors&, std::uint64_t seed) {
+          {"house rules",
+           [place](const Scene& stripped, const scene::Priors&, std::uint64_t seed) {
              Scene scene = stripped;
              layout::add_house_rules(scene);
              return place(scene, seed);
-           }}};
+           }},
+          {"priors, projected", by_priors(Method::pbd)},
+          {"priors, annealed", by_priors(Method::anneal)},
+          {"priors, both", by_priors(Method::both)}};
 }
 
 void RoomFeatures::add(const RoomFeatures& other) {

@@ -26,8 +26,9 @@ struct RealMethod {
   std::string name;
   std::function<Result<Scene>(const Scene& stripped, const scene::Priors& priors, std::uint64_t seed)> furnish;
 };
-/// Position-based: without any wish (random places that collide with nothing), and by the house rules. `base` has the
-/// solver's options; its seed is not used.
+/// Without any wish (random places that collide with nothing), by the house rules, and by learned priors: projected,
+/// annealed, and annealed and then projected. All from random starts; `base` has the solver's options, its seed is not
+/// used.
 std::vector<RealMethod> real_methods(const layout::Options& base);
 
 /// Values by what they are of: a kind, or a pair of kinds.
