@@ -9,7 +9,7 @@ struct Options {
   int starts = 1;               ///< random restarts; the best arrangement of all is returned
   int threads = 0;              ///< 0: all there are; never changes the result
   std::int64_t iterations = 0;  ///< of each start; 0: 20,000, and 3,000 for every object that moves when that is more
-  double hot = 3, cold = 2e-3;  ///< temperatures, in units of the cost
+  double hot = 3, cold = 3e-4;  ///< temperatures, in units of the cost
   int replicas = 1;             ///< chains of each start that trade temperatures
   bool given = true;            ///< what has a place in the scene starts there; false: everything at random
   bool paper_moves = false;     ///< the paper's moves alone

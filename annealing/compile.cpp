@@ -162,10 +162,11 @@ class Builder {
     space.kind = Space::Kind::view;
     space.low = 0, space.high = item.height;
     const double part = target.view->distance / kViewParts;
+    // Together they hold the whole cone, whose sides `check` looks at, too: each is as wide as the cone at its far end.
     const SinCos half = sin_cos(std::min(target.view->angle / 2, 1.4));
     for (int k = 0; k < kViewParts; ++k) {
-      const double middle = (k + 0.5) * part;
-      space.local = {{hd + middle, 0}, {1, 0}, part / 2, middle * half.sin / half.cos};
+      const double widest = std::min((k + 1) * part * half.sin / half.cos, target.view->distance * half.sin);
+      space.local = {{hd + (k + 0.5) * part, 0}, {1, 0}, part / 2, widest};
       add_space(space);
     }
   }

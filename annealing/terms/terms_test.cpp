@@ -103,8 +103,8 @@ TEST_CASE("a view is three rectangles and counts what stands in them at its heig
   const std::uint32_t plant = w.add({0.4, 0.4, 1.2}, {2.7, 5}, 0);
   w.targets.objects[tv].view = View{3, radians(60)};
   w.make();
-  // The first rectangle: 1 m deep from 2.2, as wide as the cone is at half a metre.
-  const double half = 0.5 * std::tan(radians(30));
+  // The first rectangle: 1 m deep from 2.2, as wide as the cone is at its end.
+  const double half = std::tan(radians(30));
   const double b = std::sqrt(0.08), vd = std::sqrt(0.25 + half * half);
   CHECK(std::abs(sum<VisibilityCost>(full_cost(*w.x)) - 1) < kExact);
   w.move(plant, {2.5, 5}, 0);
