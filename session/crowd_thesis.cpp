@@ -92,7 +92,8 @@ Scene dense_ellipsoid() {
 }
 
 /// Two groups of 50, ten deep and five wide, 1.1 m apart ("tightly packed"), 20 m between them, in a hallway of 12 m by
-/// 80 m: room for two groups beside each other and 1.2 m more. The measures are ours. In 10 m and in 8 m all arrive, too.
+/// 80 m: room for two groups beside each other and 1.2 m more. The measures are ours. In 10 m and in 8 m all arrive,
+/// too.
 Scene proximal() {
   const double spacing = 1.1, front = 10, depth = 9 * spacing, side = 2 * spacing;
   Scene scene;

@@ -20,8 +20,9 @@
 /// is taken, max over phi of q_i(e_phi) cos phi, after the first rule of [Moussaid11]; straight ahead wins ties, then
 /// the smaller turn, then the turn to the right. q is p, but also those count, as if they stood, who come the other way
 /// (e_i.e_j < 0): nobody slows down for them, people step aside. So they spread over the width of a passage instead of
-/// queueing for its corners, and opposing flows part into lanes. Nobody steps aside into a wall: of a turn by phi to the
-/// side where a wall is `room` metres from the body, q is at most room / (T |sin phi|), as if somebody came from there.
+/// queueing for its corners, and opposing flows part into lanes. Nobody steps aside into a wall: of a turn by phi to
+/// the side where a wall is `room` metres from the body, q is at most room / (T |sin phi|), as if somebody came from
+/// there.
 namespace inhabit::crowd::pbd_model {
 
 struct HeedConstants {
