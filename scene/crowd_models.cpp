@@ -10,7 +10,6 @@ PbdModel PbdModel::of_preset(Preset preset) {
   model.relaxation_time = 0.12;
   model.static_friction = model.kinetic_friction = 0;
   model.headway = 2.2, model.headway_length = 0.11, model.headway_breadth = 1.05;
-  model.fewest_sub_steps = model.sub_steps;
   model.anticipation = 0.7, model.sidestep = 70, model.hesitation = 0.3;
   return model;
 }

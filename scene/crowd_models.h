@@ -13,7 +13,7 @@ struct PbdModel {
   Choice preset = 0;
   Choice far = 0;  ///< what is done about collisions to come: FarField
   double relaxation_time = 0.54, contact_margin = 0.02, over_relaxation = 1.8;
-  int stability_iterations = 1, iterations = 1, sub_steps = 8, fewest_sub_steps = 2;
+  int stability_iterations = 1, iterations = 1, sub_steps = 8, fewest_sub_steps = 8;
   double static_friction = 0.21, kinetic_friction = 0.10;
   double cohesion = 0, cohesion_range = 7;
   double far_stiffness = 0.24, far_horizon = 20, far_range = 5;
