@@ -9,6 +9,10 @@ namespace {
 /// Metres off its learned distance from which an object that belongs at a wall counts as not having found one.
 constexpr double kNoWall = 0.1;
 
+/// Iterations for every object that moves, unless said otherwise: with a seventh of it the paper's restaurant ends at
+/// four times the cost, chairs and dishes at the wrong tables.
+constexpr std::int64_t kEach = 20000;
+
 Costs weighted_parts(const Costs& costs, const Weights& weights) {
   Costs parts = costs;
   for_each_term(parts, [&]<class T>(std::type_identity<T>, double& part) { part *= T::weight(weights); });
@@ -52,9 +56,8 @@ Arranged run_start(const Furniture& furniture, const Options& options, const Sta
   arranger.scatter(scatter, options.given);
   AnnealOptions anneal_options;
   anneal_options.iterations =
-      options.iterations > 0
-          ? options.iterations
-          : std::max<std::int64_t>(20000, 3000 * static_cast<std::int64_t>(furniture.walkers.size()));
+      options.iterations > 0 ? options.iterations
+                             : kEach * static_cast<std::int64_t>(std::max<std::size_t>(1, furniture.walkers.size()));
   anneal_options.schedule = {Schedule::Shape::geometric, options.hot, options.cold};
   anneal_options.seed = options.seed, anneal_options.stream = static_cast<std::uint64_t>(start.number);
   anneal_options.replicas = options.replicas, anneal_options.threads = options.threads;

@@ -8,7 +8,7 @@ struct Options {
   std::uint64_t seed = 1;       ///< of the search; which means the objects get is choose_targets' seed
   int starts = 1;               ///< random restarts; the best arrangement of all is returned
   int threads = 0;              ///< 0: all there are; never changes the result
-  std::int64_t iterations = 0;  ///< of each start; 0: 20,000, and 3,000 for every object that moves when that is more
+  std::int64_t iterations = 0;  ///< of each start; 0: 20,000 for every object that moves
   double hot = 3, cold = 3e-4;  ///< temperatures, in units of the cost
   int replicas = 1;             ///< chains of each start that trade temperatures
   bool given = true;            ///< what has a place in the scene starts there; false: everything at random

@@ -62,8 +62,7 @@ void add_method(CLI::App& verb, Furnish& f) {
       ->check(CLI::IsMember({"given", "random", "placed"}))
       ->capture_default_str();
   verb.add_option("--iterations", f.iterations,
-                  "At most so many per start; when absent 20000, and for annealing 3000 for every object if that is "
-                  "more")
+                  "At most so many per start; when absent 20000, and for annealing 20000 for every object")
       ->check(CLI::Range(1, 1000000000));
   verb.add_flag("--no-relocation", f.no_relocation, "Projection alone, without moves between");
   verb.add_flag("--paper", layout.paper,

@@ -119,7 +119,7 @@ Result<Table> results_table(const BenchOptions& options, int seeds) {
   table.notes = {
       "seeds: " + std::to_string(seeds) +
           "; times with the check that judges every run; both: annealed and settled, again from another start "
-          "while something is wrong, eight times at most",
+          "while something is wrong, fourteen times at most",
       "reachable: all that stand on the floor and want free space before them"};
   return table;
 }

@@ -13,8 +13,10 @@ namespace {
 /// Rounds of new starts for as long as something is wrong with the best of all. The first has the weights as they are;
 /// in those that follow what people need (free spaces, views, pathways) weighs more and more: a view's weight of 0.01
 /// (Yu et al. 4.3) is little beside a metre off the wall's 1.
-constexpr int kRounds = 8;
-constexpr std::array<double, kRounds> kNeeds = {1, 10, 10, 50, 50, 50, 200, 200};
+constexpr int kRounds = 14;
+constexpr std::array<double, kRounds> kNeeds = {1, 10, 10, 50, 50, 50, 10, 50, 200, 10, 50, 200, 50, 200};
+/// From this round on every search has other clustered means for its objects: some sets of them have no good place.
+constexpr int kOtherMeans = 4;
 
 Suggestion judged(Scene scene, layout::Layout layout) {
   Suggestion s;
@@ -66,13 +68,17 @@ class Search {
   /// One suggestion. `variant` 0 is the seed itself.
   Result<Candidate> run(int variant, Found& found) {
     const std::uint64_t seed = job_.layout.seed + 0x9e3779b97f4a7c15ULL * static_cast<std::uint64_t>(variant);
-    const annealing::Targets targets = annealing::choose_targets(scene_, *job_.priors, seed);
-    const Scene asked = with_targets(scene_, targets);
+    annealing::Targets targets = annealing::choose_targets(scene_, *job_.priors, seed);
+    Scene asked = with_targets(scene_, targets);
     if (variant == 0) found.notes = targets.warnings;
     std::optional<Candidate> best;
     std::vector<std::string> homeless;
     const int rounds = both_ ? kRounds : 1;
     for (int round = 0; round < rounds; ++round) {
+      if (round >= kOtherMeans) {
+        targets = annealing::choose_targets(scene_, *job_.priors, seed + static_cast<std::uint64_t>(round));
+        asked = with_targets(scene_, targets);
+      }
       annealing::Options options = job_.anneal;
       options.seed = seed + static_cast<std::uint64_t>(round) * 7919;
       CostWeights& weights = options.weights.learned;

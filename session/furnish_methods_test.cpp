@@ -31,6 +31,7 @@ struct Lesson {
     FurnishJob job;
     job.method = method, job.priors = priors;
     job.anneal.weights.learned = priors.weights;
+    job.anneal.iterations = 60000;
     job.layout.seed = seed, job.layout.starts = 1, job.layout.threads = 1;
     return job;
   }
