@@ -36,7 +36,7 @@ def fails(*arguments):
 
 def test_help(folder):
     assert "furnish" in run("--help").stdout
-    for verb in ("furnish", "check", "learn", "simulate", "scenes", "render", "convert", "measure", "bench"):
+    for verb in ("furnish", "check", "learn", "simulate", "scenes", "render", "convert", "measure", "study", "bench"):
         text = run(verb, "--help").stdout
         assert f"inhabit {verb}" in text and "Example" in text, text
     assert run("--version").stdout.startswith("inhabit ")

@@ -24,6 +24,7 @@ constexpr std::array kVerbs = {
     Verb{"render", "Draw a plan, or people who walk, as a picture or a film", set_up_render},
     Verb{"convert", "Read one format and write another, by extension", set_up_convert},
     Verb{"measure", "Say where and how people walked: density, speed, flow, collisions", set_up_measure},
+    Verb{"study", "Ask people which of two pictures they prefer, and count", set_up_study},
     Verb{"bench", "Measure what the papers published, here", set_up_bench},
 };
 
@@ -35,13 +36,24 @@ constexpr const char* kFooter =
     "Example: inhabit furnish living-room -o room.json --svg room.svg\n"
     "inhabit VERB --help says more.";
 
+/// "inhabit study make".
+std::string full_name(const CLI::App& about) {
+  const CLI::App* parent = about.get_parent();
+  return parent == nullptr ? about.get_name() : full_name(*parent) + " " + about.get_name();
+}
+
 int usage(const std::string& message, const CLI::App& about) {
   std::string line = message;
   for (char& c : line)
     if (c == '\n') c = ' ';
-  const std::string name = about.get_name() == "inhabit" ? "inhabit" : "inhabit " + about.get_name();
-  complain(line + " (" + name + " --help says more)");
+  complain(line + " (" + full_name(about) + " --help says more)");
   return kError;
+}
+
+/// The verb, or the part of it that was asked for: make of study.
+const CLI::App& innermost(const CLI::App& verb) {
+  const std::vector<CLI::App*> parts = verb.get_subcommands();
+  return parts.empty() ? verb : innermost(*parts.front());
 }
 
 /// The first argument that nothing expects, with the nearest option when it looks like one.
@@ -52,7 +64,11 @@ int unexpected(const std::string& argument, const CLI::App& verb) {
   const std::vector<std::string_view> views(names.begin(), names.end());
   const std::string option = argument.substr(0, argument.find('='));
   if (argument.starts_with("-")) return usage("unknown option " + option + core::did_you_mean(option, views), verb);
-  return usage("unexpected argument " + argument, verb);
+  std::vector<std::string> parts;
+  for (const CLI::App* part : verb.get_subcommands([](const CLI::App*) { return true; }))
+    parts.push_back(part->get_name());
+  const std::vector<std::string_view> part_views(parts.begin(), parts.end());
+  return usage("unexpected argument " + argument + core::did_you_mean(argument, part_views), verb);
 }
 
 int unknown_verb(const std::string& name, const CLI::App& app) {
@@ -87,15 +103,17 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     for (const auto& [sub, action] : verbs)
       if (sub->parsed()) {
-        for (const std::string& extra : sub->remaining())
-          if (extra.starts_with("-")) return unexpected(extra, *sub);
-        return usage(error.what(), *sub);
+        const CLI::App& part = innermost(*sub);
+        for (const std::string& extra : part.remaining())
+          if (extra.starts_with("-")) return unexpected(extra, part);
+        return usage(error.what(), part);
       }
     return usage(error.what(), app);
   }
   for (const auto& [sub, action] : verbs) {
     if (!sub->parsed()) continue;
-    if (!sub->remaining().empty()) return unexpected(sub->remaining().front(), *sub);
+    const CLI::App& part = innermost(*sub);
+    if (!part.remaining().empty()) return unexpected(part.remaining().front(), part);
     return action();
   }
   return unknown_verb(argv[1], app);

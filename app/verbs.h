@@ -21,6 +21,7 @@ std::function<int()> set_up_scenes(CLI::App& verb);
 std::function<int()> set_up_render(CLI::App& verb);
 std::function<int()> set_up_convert(CLI::App& verb);
 std::function<int()> set_up_measure(CLI::App& verb);
+std::function<int()> set_up_study(CLI::App& verb);
 std::function<int()> set_up_bench(CLI::App& verb);
 
 }  // namespace inhabit::app

@@ -2,6 +2,7 @@
 set(INHABIT_FUZZ_TARGETS
   scene
   priors
+  study
   wkt
   geojson
   procthor
