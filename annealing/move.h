@@ -49,10 +49,12 @@ inline void place_rigidly(Arrangement& x, std::uint32_t i, std::span<const std::
     x.place(k, p + rotate(x.position(k) - from, r), turn == 0 ? x.angle(k) : wrap_angle(x.angle(k) + turn));
 }
 
-/// Touches an item and its partners; returns the partners that do not go with it anyway.
-inline std::vector<std::uint32_t> touch_group(Arrangement& x, std::uint32_t i) {
+/// Touches an item and, when they are to move `together`, its partners; returns the partners that do not go with it
+/// anyway.
+inline std::vector<std::uint32_t> touch_with(Arrangement& x, std::uint32_t i, bool together) {
   std::vector<std::uint32_t> others;
   x.touch(i);
+  if (!together) return others;
   for_each_partner(x, i, [&](std::uint32_t k) {
     if (x.touched(k)) return;
     x.touch(k);

@@ -73,6 +73,30 @@ TEST_CASE("a straight way heads for the nearest point of the aim and then for th
   CHECK(planner.arrived(agents, 0));
 }
 
+TEST_CASE("people who all walk straight to one goal have the wishes that they have among others") {
+  const World world = test_world({make_floor({{-20, -20}, {20, -20}, {20, 20}, {-20, 20}}, {})});
+  scene::Goal goal = area_goal(box_ring(5, -3, 9, 3));
+  goal.aim = box_ring(6, -1, 7, 1);
+  Planner planner = planner_of(scene_with({goal}, scene::Planner::straight), world, {{{{0}}}});
+  inhabit::core::Rng rng(3);
+  Agents alone;
+  for (int k = 0; k < 200; ++k) add_agent(alone, {rng.uniform(-19, 19), rng.uniform(-19, 19)});
+  add_agent(alone, {6.5, 0});  // on the aim, and in the area
+  add_agent(alone, {5, -3});   // on the area's corner
+  Agents among = alone;
+  add_agent(among, {0, 0});
+  among.wait.back() = 1;  // so that not everybody heads for the goal
+  planner.aim(alone, 1), planner.aim(among, 1);
+  std::size_t walking = 0;
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    CHECK(alone.wish_x[i] == among.wish_x[i]);
+    CHECK(alone.wish_y[i] == among.wish_y[i]);
+    walking += wish_length(alone, i) > 0;
+  }
+  CHECK(walking > 150);
+  CHECK(wish_length(among, among.size() - 1) == 0);
+}
+
 TEST_CASE("goals in sequence are walked to one after the other and waiting people stand") {
   const World world = t_junction();
   for (const scene::Planner method : kMethods) {

@@ -16,12 +16,7 @@ struct Rotate {
     const bool together = rng.index(4) == 0;
     if (!f.items[i].turns || f.items[i].hung) return false;
     const double turn = scale.angle * core::standard_normal(rng);
-    std::vector<std::uint32_t> others;
-    if (together) {
-      others = touch_group(x, i);
-    } else {
-      x.touch(i);
-    }
+    const std::vector<std::uint32_t> others = touch_with(x, i, together);
     before();
     place_rigidly(x, i, others, x.position(i), wrap_angle(x.angle(i) + turn));
     return true;

@@ -33,7 +33,7 @@ struct ToPrior {
     } else {
       return false;
     }
-    const std::vector<std::uint32_t> others = touch_group(x, i);
+    const std::vector<std::uint32_t> others = touch_with(x, i, true);
     before();
     place_rigidly(x, i, others, within(f.room.extent(), pose.p), pose.angle);
     return true;

@@ -18,12 +18,7 @@ struct Translate {
     double sigma = scale.position;
     if (f.items[i].carried && x.carrier(i) != kNobody) sigma = std::min(sigma, f.items[x.carrier(i)].radius / 2);
     const Vec2 shift = normal_shift(rng, sigma);
-    std::vector<std::uint32_t> others;
-    if (together) {
-      others = touch_group(x, i);
-    } else {
-      x.touch(i);
-    }
+    const std::vector<std::uint32_t> others = touch_with(x, i, together);
     before();
     place_rigidly(x, i, others, within(f.room.extent(), x.position(i) + shift), x.angle(i));
     return true;

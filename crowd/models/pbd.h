@@ -17,7 +17,7 @@ struct Effort {
 ///   - a step is cut into eight sub-steps of one iteration, over-relaxed by 1.8, that share their neighbours, instead
 ///   of
 ///     six iterations of one step over-relaxed by 1.2: many small steps beat many iterations; so radii need to grow by
-///     2 % only, not 5 %;
+///     2 % only, not 5 %. With `fewest_sub_steps` below that, as few as keep people apart;
 ///   - neighbours are found with a skin and kept while nobody has moved through half of it, about ten steps;
 ///   - sub-steps are made by those alone who may touch somebody before the step is over;
 ///   - collisions to come are looked at once in a step, for the nearest few, with the stiffness that the six

@@ -179,7 +179,7 @@ void predict(Work& work, const Constants& k, std::size_t chunk) {
 }
 
 /// What friction takes of a contact's correction: the tangential part of how the two have moved against each other
-/// [Macklin14 eq. 23, 24].
+/// [Macklin14, friction].
 HWY_INLINE Pair rubbed(const Constants& k, const Contact& c, Pair u) {
   const Pair t = u - scaled(dot(u, c.n), c.n);
   const V square = hn::Max(dot(t, t), set(1e-24f)), still = hn::Mul(set(k.static_friction), c.depth);
